@@ -15,8 +15,8 @@ Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
 
 
-_AS_WRITTEN = frozenset({"contract"})
-"""A product and a sum may be one step; all else comes in the order in which it is written."""
+_AS_WRITTEN: frozenset[str] = frozenset()
+"""No product and sum in one rounding: a run is the same to the last bit whether it is compiled or not."""
 
 
 def quick(
@@ -50,7 +50,9 @@ def _quick(function: Any, faster: frozenset[str]) -> Any:
     )
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
-    made: Any = numba.njit(error_model="numpy", nogil=True, fastmath=set(faster), forceinline=is_part, **_UNCOUNTED)
+    made: Any = numba.njit(
+        error_model="numpy", nogil=True, fastmath=set(faster) or False, forceinline=is_part, **_UNCOUNTED
+    )
     return made(copy)
 
 

@@ -11,8 +11,9 @@ TIME, SENSE, WIDTH, OUTPUT, FASTEST, BOUND, INERTIA_BEFORE, INERTIA_AFTER = rang
 """Places in `Course.here`: time; sense of the motion, 0 at rest; width of the next step, 0 where nothing is known of
 it; x′ of what is driven when it last was not 0; greatest speed; crank angle beyond which nothing may be looked at; the
 machine's inertia at the start of the run and where it stands."""
-STEPS, MARKS, REVERSALS, SAMPLE, BREAK, IS_FRESH = range(6)
-"""Places in `Course.counts`: of steps, events and reversals; next sample and break; whether a phase is to begin."""
+STEPS, MARKS, REVERSALS, SAMPLE, BREAK, IS_FRESH, ENDS = range(7)
+"""Places in `Course.counts`: of steps, events and reversals; next sample and break; whether a phase is to begin; ends of
+steps that were written down last."""
 
 
 class Course(NamedTuple):
@@ -21,7 +22,7 @@ class Course(NamedTuple):
     Attributes
     ----------
     here : Array, shape (8,)
-    counts : Array, shape (6,)
+    counts : Array, shape (7,)
     state, ahead, trial : Array, shape (6,)
         At the beginning of a step, at its end, and at an event within.
     slopes, again : Array, shape (7 · 7,)
@@ -40,7 +41,7 @@ class Course(NamedTuple):
 
 def course_from(start: Array, is_compiled: bool) -> Course:
     """A run that is to begin."""
-    here, counts = np.zeros(8), np.zeros(6, dtype=np.int64)
+    here, counts = np.zeros(8), np.zeros(7, dtype=np.int64)
     here[SENSE], here[FASTEST] = np.sign(start[1]), abs(start[1])
     counts[IS_FRESH] = 1
     arrays = (here, counts, start.copy(), np.zeros(N_STATE), np.zeros(N_STATE), np.zeros(7 * ROW), np.zeros(7 * ROW))

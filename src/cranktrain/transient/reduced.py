@@ -173,15 +173,13 @@ def filled_at(angle: float, numbers: Any, pressure: float = math.nan) -> None:
         numbers[held + 1] = numbers[chamber + COMPRESSION]
 
 
-def pressures_at(angle: float, numbers: Any) -> list[float]:
-    """Absolute pressure in every chamber at a crank angle, by what it remembers. [rad, Pa]"""
+def pressures_at(angle: float, numbers: Any, pressures: Any, column: int) -> None:
+    """Write the absolute pressure of every chamber at a crank angle, by what it remembers, into a column. [rad, Pa]"""
     row, x, _ = place_of(angle, numbers)
-    found = list[float]()
     for at in range(int(numbers[_N_CHAMBERS])):
         chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
         volume = value_of(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
-        found.append(_gas_in(numbers, chamber, numbers[held], numbers[held + 1], volume)[0])
-    return found
+        pressures[at, column] = _gas_in(numbers, chamber, numbers[held], numbers[held + 1], volume)[0]
 
 
 def place_of(angle: float, numbers: Any) -> Any:

@@ -14,6 +14,7 @@ from cranktrain.record import record
 from cranktrain.transient import endings
 from cranktrain.transient.compiling import quick
 from cranktrain.transient.course import (
+    ENDS,
     INERTIA_AFTER,
     INERTIA_BEFORE,
     MARKS,
@@ -64,6 +65,8 @@ _LEAST_APART = 1e-9
 """Corners nearer to each other are one. [rad]"""
 _FIRST_STEPS = 20
 """Before progress is told for the first time."""
+_AT_ONCE = 1024
+"""Steps whose ends are written down in one call."""
 _BETWEEN_CALLS = 1 / 30
 """Between two tellings. [s]"""
 
@@ -233,7 +236,8 @@ def run(
     """
     loop = loop_of(joined(kernels, is_compiled), is_compiled)
     train, course = train_of(drive, kernels, is_compiled), course_from(asked.start, is_compiled)
-    log = Log(np.empty((len(asked.samples), N_STATE)), np.empty((_MOST_MARKS, 4)))
+    n_ends = 0 if ends is None else _AT_ONCE
+    log = Log(np.empty((len(asked.samples), N_STATE)), np.empty((_MOST_MARKS, 4)), np.empty((n_ends, 2)))
     if not is_compiled:
         asked = asked._replace(
             **{name: getattr(asked, name).tolist() for name in ("start", "samples", "breaks", "corners", "rows")}
@@ -243,10 +247,11 @@ def run(
 
 
 class Log(NamedTuple):
-    """States at the samples, and events: filled by the loop."""
+    """States at the samples, events, and where steps of one call end: filled by the loop."""
 
     table: Array
     marks: Array
+    ends: Array
 
 
 def _run_through(
@@ -257,24 +262,23 @@ def _run_through(
     progress: Progress | None,
     ends: list[tuple[float, float]] | None,
 ) -> tuple[int, Course]:
-    """Run to the end; where progress is told, so many steps at a time as take the time between two calls."""
+    """Run to the end, so many steps at a time as are written down, or take the time between two tellings."""
     if progress is None and ends is None:
         return loop(course, *log, most_steps + 1), course
-    kept, n_steps, told = copied(course), _FIRST_STEPS if ends is None else 1, 0.0
+    kept, n_steps = copied(course), _AT_ONCE if progress is None else _FIRST_STEPS
     try:
         while True:
             start = perf_counter()
             reason = loop(course, *log, n_steps)
             kept = copied(course)
             if ends is not None:
-                ends.append((float(course.here[TIME]), float(course.state[1])))
-            if progress is not None and (reason != GOING or ends is None or start - told > _BETWEEN_CALLS):
+                ends.extend((time, speed) for time, speed in log.ends[: course.counts[ENDS]].tolist())
+            if progress is not None:
                 progress(float(course.here[TIME]), float(course.state[0]), float(course.state[1]))
-                told = start
+                n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))
+            n_steps = n_steps if ends is None else min(n_steps, _AT_ONCE)
             if reason != GOING:
                 return reason, course
-            if ends is None:
-                n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))
     except KeyboardInterrupt:
         if progress is None:
             raise
@@ -344,12 +348,14 @@ def loop_of(parts: Joined, is_compiled: bool) -> Any:
     """Loop of a run with its kernels in it: given to it at every call, they would cost more than the run."""
     derive, kernels = parts
 
-    def loop(train: TrainNumbers, asked: Wanted, course: Course, table: Array, marks: Array, most_steps: int) -> int:
+    def loop(
+        train: TrainNumbers, asked: Wanted, course: Course, table: Array, marks: Array, ends: Array, most_steps: int
+    ) -> int:
         here, state = course.here, course.state
         if course.counts[STEPS] == 0:
             begin(kernels, train, asked, course, table)
             here[INERTIA_BEFORE] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
-        reason = inner(derive, kernels, train, asked, course, table, marks, most_steps)
+        reason = inner(derive, kernels, train, asked, course, table, marks, ends, most_steps)
         here[INERTIA_AFTER] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
         return reason
 

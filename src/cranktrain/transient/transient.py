@@ -7,6 +7,7 @@ from cranktrain.transient.corners import beside, corner_ahead, few_ahead, on_the
 from cranktrain.transient.course import (
     BOUND,
     BREAK,
+    ENDS,
     FASTEST,
     IS_FRESH,
     OUTPUT,
@@ -72,7 +73,7 @@ def begin_run(kernels: Any, train: Any, asked: Any, course: Any, table: Any) -> 
 
 
 def run_on(
-    derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any, most_steps: int
+    derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any, ends: Any, most_steps: int
 ) -> int:
     """Run until something ends it, or for a number of steps.
 
@@ -88,6 +89,8 @@ def run_on(
         Filled as far as the run goes.
     marks : Array, shape (most, 4)
         Filled with kind, time, angle and speed of events.
+    ends : Array, shape (n, 2)
+        Filled with time and speed after each step, the first n of them, anew in each call. [s, rad/s]
     most_steps : int
 
     Returns
@@ -95,13 +98,18 @@ def run_on(
     int
         A reason, or `GOING`.
     """
-    goal = course.counts[STEPS] + most_steps
+    goal, row = course.counts[STEPS] + most_steps, 0
     reason = GOING
     while reason == GOING and course.counts[STEPS] < goal:
         if course.counts[IS_FRESH] == 1:
             reason = _begin_phase(derive, kernels, train, asked, course, table, marks)
         if reason == GOING:
             reason = _go_a_step(derive, kernels, train, asked, course, table, marks)
+        if row < len(ends):
+            ends[row, 0] = course.here[TIME]
+            ends[row, 1] = course.state[1]
+            row += 1
+    course.counts[ENDS] = row
     return reason
 
 

@@ -14,7 +14,7 @@ from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.reduction.at_angles import has_inertia
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.start.case import Switching, start_kernels
-from cranktrain.questions.start.curves import in_list
+from cranktrain.questions.start.curves import numbers_from
 from cranktrain.record import record
 from cranktrain.transient.clutched.equation import Press, firm_acceleration, press_of
 from cranktrain.transient.clutched.runs import PressPlan
@@ -109,7 +109,7 @@ def press_case(parts: PressParts, design: int) -> PressCase | None:
     zero = float(parts.zero[min(design, len(parts.zero) - 1)])
     start_angle, command = float(own.start_angle[design]) + zero, float(own.command_angle[design]) + zero
     press = press_of(
-        in_list(parts.machines.each[design], start_angle),
+        numbers_from(parts.machines.each[design], start_angle),
         Switching(parts.motor.row(design), math.inf, math.inf, _LONG_SINCE),
         before_clutch(parts.gearings[design], parts.clutch, design),
         _behind_clutch(parts, design),

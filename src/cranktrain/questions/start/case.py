@@ -57,14 +57,20 @@ def braking(time: float, brake: Braking) -> float:
     return brake.torque if since >= brake.rise_time else brake.torque * since / brake.rise_time
 
 
-def start_kernels(motor: DeclaredMotor | None) -> Kernels:
-    """Kernels of a run that is not compiled."""
+def start_kernels(motor: DeclaredMotor | None, *, is_compiled: bool = False) -> Kernels:
+    """Kernels of a run, for plain numbers unless it is one that will be compiled."""
+    ready: Any = _as_it_is if is_compiled else in_floats
+    machine, carried = ready(reduced_machine), ready(settle)
     if motor is None:
-        return Kernels(in_floats(reduced_machine), no_motor, no_heat, braking, in_floats(settle))
-    torque = in_floats(motor.law.kernel)
+        return Kernels(machine, no_motor, no_heat, braking, carried)
+    torque = ready(motor.law.kernel)
     timed = torque if motor.law.is_timed else untimed(torque)
-    heat = no_heat if motor.heat is None else in_floats(motor.heat)
-    return Kernels(in_floats(reduced_machine), switched(timed, False), switched(heat, True), braking, in_floats(settle))
+    heat = no_heat if motor.heat is None else ready(motor.heat)
+    return Kernels(machine, switched(timed, False), switched(heat, True), braking, carried)
+
+
+def _as_it_is(kernel: Any) -> Any:
+    return kernel
 
 
 @record

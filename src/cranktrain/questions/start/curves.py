@@ -1,9 +1,11 @@
 """Curves of a start: when they are looked at closely, and speeds, torques, powers and energies at these times."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import fields
-from typing import NamedTuple
+from functools import cache
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +13,8 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.record import StartCurves
-from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED
+from cranktrain.transient.compiling import quick
+from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED, Kernels, joined
 from cranktrain.transient.floats import in_floats
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 from cranktrain.transient.reduced import ReducedMachine, filled_at, in_one_row, pressures_at, settle
@@ -28,7 +31,14 @@ class SampledGas(NamedTuple):
     pressure: Array
 
 
-def curves_of(case: StartCase, time: Array, state: Array, loaded: Sequence[tuple[float, ReducedMachine]]) -> SampledGas:
+def curves_of(
+    case: StartCase,
+    time: Array,
+    state: Array,
+    loaded: Sequence[tuple[float, ReducedMachine]],
+    *,
+    is_compiled: bool = False,
+) -> SampledGas:
     """Speeds, torques, powers, energies and pressures at the samples.
 
     Parameters
@@ -38,20 +48,23 @@ def curves_of(case: StartCase, time: Array, state: Array, loaded: Sequence[tuple
     state : Array, shape (time, state)
     loaded : sequence of (float, ReducedMachine)
         From when on it is which machine, as its suction valves are held open or not. [s]
+    is_compiled : bool, optional
+        With Numba.
     """
     angle, speed = state[:, ANGLE], state[:, SPEED]
     ratio = overall_ratio(case.gearing)
-    kernels = start_kernels(case.motor)
-    torque = motor_torque(case, time, speed)
+    torque = motor_torque(case, time, speed, is_compiled=is_compiled)
     load, inertia = np.empty(time.shape), np.empty(time.shape)
     pressure = np.empty((len(case.chambers), *time.shape))
-    machines, machine = list(loaded), list[float]()
-    for at, (now, phi, omega) in enumerate(zip(time.tolist(), angle.tolist(), speed.tolist(), strict=True)):
-        while machines and now >= machines[0][0]:
-            machine = in_list(machines.pop(0)[1], phi, math.nan if machine else case.start.gas_pressure)
-        inertia[at], _, load[at], _ = kernels.machine(phi, omega, np.sign(omega), machine)
-        pressure[:, at] = in_floats(pressures_at)(phi, machine)
-        in_floats(settle)(phi, machine)
+    along = _loops_of(start_kernels(case.motor, is_compiled=is_compiled), is_compiled).loads
+    begins = [*np.searchsorted(time, [begin for begin, _machine in loaded]).tolist(), len(time)]
+    for (first, last), (_begin, machine) in zip(pairwise(begins), loaded, strict=True):
+        if first < last:
+            filled = case.start.gas_pressure if first == 0 else math.nan
+            numbers = numbers_from(machine, float(angle[first]), filled, is_compiled=is_compiled)
+            each = (angle[first:last].copy(), speed[first:last].copy())
+            room = (inertia[first:last], load[first:last], pressure[:, first:last])
+            along(*(each if is_compiled else (one.tolist() for one in each)), numbers, *room)
     curves = StartCurves(
         crank_angle_turned=angle - case.zero,
         crank_speed=speed,
@@ -68,22 +81,53 @@ def curves_of(case: StartCase, time: Array, state: Array, loaded: Sequence[tuple
     return SampledGas(curves, pressure)
 
 
-def motor_torque(case: StartCase, time: Array, speed: Array) -> Array:
+def motor_torque(case: StartCase, time: Array, speed: Array, *, is_compiled: bool = False) -> Array:
     """Of the motor at times and speeds of the crank, as it is switched. [N·m]"""
-    motor, ratio = start_kernels(case.motor).motor, overall_ratio(case.gearing)
     numbers = Switching(
         () if case.motor is None else case.motor.row(case.design),
         case.start.motor_off,
         case.start.motor_reversed,
         0.0,
     )
-    return np.array([motor(w * ratio, t, numbers) for w, t in zip(speed.tolist(), time.tolist(), strict=True)])
+    torque = np.empty(time.shape)
+    along = _loops_of(start_kernels(case.motor, is_compiled=is_compiled), is_compiled).torques
+    each = (speed * overall_ratio(case.gearing), np.array(time))
+    along(*(each if is_compiled else (one.tolist() for one in each)), numbers, torque)
+    return torque
 
 
-def close_times(case: StartCase, steps: list[tuple[float, float]]) -> Array:
+class _Loops(NamedTuple):
+    """Loops along the samples of a run, which fill arrays: of its machine, and of its motor."""
+
+    loads: Callable[..., None]
+    torques: Callable[..., None]
+
+
+@cache
+def _loops_of(kernels: Kernels, is_compiled: bool) -> _Loops:
+    """Loops with their kernels in them, compiled or not."""
+    _derive, (machine, motor, _heat, _brake, carried) = joined(kernels, is_compiled)
+    pressures = pressures_at if is_compiled else in_floats(pressures_at)
+
+    def loads(angles: Any, speeds: Any, numbers: Any, inertia: Any, load: Any, pressure: Any) -> None:
+        for at in range(len(angles)):
+            angle, speed = angles[at], speeds[at]
+            sense = 1.0 if speed > 0 else -1.0 if speed < 0 else 0.0
+            inertia[at], _, load[at], _ = machine(angle, speed, sense, numbers)
+            pressures(angle, numbers, pressure, at)
+            carried(angle, numbers)
+
+    def torques(speeds: Any, times: Any, numbers: Any, torque: Any) -> None:
+        for at in range(len(speeds)):
+            torque[at] = motor(speeds[at], times[at], numbers)
+
+    return _Loops(quick(loads), quick(torques)) if is_compiled else _Loops(loads, torques)
+
+
+def close_times(case: StartCase, steps: list[tuple[float, float]], *, is_compiled: bool = False) -> Array:
     """Times at which steps end, and closer ones where the motor's torque changes quickly. [s]"""
     time, speed = np.array(steps).T
-    torque = motor_torque(case, time, speed)
+    torque = motor_torque(case, time, speed, is_compiled=is_compiled)
     changes = np.abs(np.diff(torque)) > _QUICKLY * np.max(np.abs(torque))
     # A step over the top of the curve may end as high as it began: those beside a quick change are looked into, too.
     closely = changes.copy()
@@ -98,11 +142,15 @@ def at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:
     return StartCurves(**{one.name: getattr(curves, one.name)[chosen] for one in fields(curves)})
 
 
-def in_list(machine: ReducedMachine, angle: float, pressure: float = math.nan) -> list[float]:
-    """Numbers for a run that is not compiled, from an angle where all chambers hold gas at a pressure [rad, Pa].
+def numbers_from(
+    machine: ReducedMachine, angle: float, pressure: float = math.nan, *, is_compiled: bool = False
+) -> Array | list[float]:
+    """Numbers for a run, from an angle where all chambers hold gas at a pressure [rad, Pa]; in a list for a plain one.
 
     Unless given, at that of their suction.
     """
-    numbers = in_one_row(machine).tolist()
-    filled_at(angle, numbers, pressure)
+    row = in_one_row(machine)
+    numbers = row if is_compiled else row.tolist()
+    if len(machine.chambers):
+        in_floats(filled_at)(angle, numbers, pressure)
     return numbers

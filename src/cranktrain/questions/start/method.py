@@ -2,12 +2,12 @@
 
 from functools import partial
 from importlib.util import find_spec
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from cranktrain.questions.start.case import Braking, StartCase, Switching, start_kernels
-from cranktrain.questions.start.curves import in_list
+from cranktrain.questions.start.curves import numbers_from
 from cranktrain.transient.corners import few_ahead
 from cranktrain.transient.equation import DriveTrain, Kernels
 from cranktrain.transient.gearing import overall_ratio
@@ -21,7 +21,7 @@ _NO_BRAKE = Braking(0.0, np.inf, 0.0)
 
 
 class Runs(Protocol):
-    """Runs what is wanted of a drive that is not compiled."""
+    """Runs what is wanted of a drive."""
 
     def __call__(
         self,
@@ -37,22 +37,31 @@ class Runs(Protocol):
         ...
 
 
-def method_of(case: StartCase) -> Runs:
-    """The method that suits a start.
+class Method(NamedTuple):
+    """What runs a start, and whether compiled."""
+
+    run: Runs
+    is_compiled: bool
+
+
+def method_of(case: StartCase, *, is_compiled: bool = False) -> Method:
+    """The method that suits a start; where many are run, an explicit one may be compiled.
 
     Explicit steps where its motor is not stiff, where a chamber remembers its gas, as an implicit method tries steps
     that it does not take, and where SciPy is not installed.
     """
+    explicit = Method(run, is_compiled)
     if case.motor is None or len(case.machine.chambers) or find_spec("scipy") is None:
-        return run
+        return explicit
     top = case.motor.highest_speed(case.design)
     if not np.isfinite(top):
-        return run
+        return explicit
     switching = Switching(case.motor.row(case.design), np.inf, np.inf, 0.0)
-    drive = DriveTrain(in_list(case.machine, 0.0), switching, _NO_BRAKE, case.gearing, case.place)
+    drive = DriveTrain(numbers_from(case.machine, 0.0), switching, _NO_BRAKE, case.gearing, case.place)
     at_crank = top / overall_ratio(case.gearing)
     if not is_stiff(slip_time_constant(start_kernels(case.motor), drive, top, _ANGLES), at_crank):
-        return run
+        return explicit
     rows = case.rows.tolist()
     few = (few_ahead(at, 1.0, rows, case.cycle) for at in rows)
-    return partial(run_implicitly, longest_step=min([2 * np.pi / _STEPS_A_TURN, *few]) / at_crank)
+    longest = min([2 * np.pi / _STEPS_A_TURN, *few]) / at_crank
+    return Method(partial(run_implicitly, longest_step=longest), is_compiled=False)

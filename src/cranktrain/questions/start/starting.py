@@ -13,8 +13,8 @@ from cranktrain.motion import Array
 from cranktrain.questions.reduction.unloaded import with_open_valves
 from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.case import StartCase, Switching, start_kernels
-from cranktrain.questions.start.curves import at_times, close_times, curves_of, in_list
-from cranktrain.questions.start.method import Runs, method_of
+from cranktrain.questions.start.curves import at_times, close_times, curves_of, numbers_from
+from cranktrain.questions.start.method import Method, method_of
 from cranktrain.questions.start.notes import start_notes
 from cranktrain.questions.start.record import GasOverTime, StartEvent, StartRun
 from cranktrain.saying.wording import number
@@ -75,17 +75,18 @@ def start_run(case: StartCase, parts: MovingParts, asked: StartAsked) -> StartRu
     return replace(run, notes=tuple(start_notes(parts, run)))
 
 
-def run_start(case: StartCase, asked_for: StartAsked) -> StartRun:
+def run_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool = False) -> StartRun:
     """Run a start: once to find its end, and once more for the states on the way."""
     progress = asked_for.progress
-    steps, run_by = list[tuple[float, float]](), method_of(case)
-    first = list(_runs(case, run_by, _NO_TIMES, np.inf, progress, steps))
+    steps, method = list[tuple[float, float]](), method_of(case, is_compiled=is_compiled)
+    first = list(_runs(case, method, _NO_TIMES, np.inf, progress, steps))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
     asked = wanted_times(asked_for, case.start.interval, case.interval_text, end)
-    samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close_times(case, steps)]))
-    again = list(_runs(case, run_by, samples, end if last.reason == endings.STOPPED else np.inf, None))
-    return _together(case, again, last.reason, asked)
+    close = close_times(case, steps, is_compiled=method.is_compiled)
+    samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close]))
+    again = list(_runs(case, method, samples, end if last.reason == endings.STOPPED else np.inf, None))
+    return _together(case, again, last.reason, asked, is_compiled=method.is_compiled)
 
 
 _NO_TIMES = np.empty(0)
@@ -113,7 +114,7 @@ def wanted_times(asked: StartAsked, interval: float, text: str, end: float) -> A
 
 def _runs(
     case: StartCase,
-    run_by: Runs,
+    method: Method,
     samples: Array,
     end: float,
     progress: Progress | None,
@@ -124,19 +125,22 @@ def _runs(
     `steps` is given times and speeds at which steps end.
     """
     angle, speed, now = case.start.angle + case.zero, case.start.speed, 0.0
-    spans, kernels = list(_spans(case)), start_kernels(case.motor)
-    numbers, machine, filled = list[float](), None, case.start.gas_pressure
+    run, is_compiled = method
+    spans, kernels = list(_spans(case)), start_kernels(case.motor, is_compiled=is_compiled)
+    numbers: Array | list[float] = []
+    machine, filled = None, case.start.gas_pressure
     while spans:
         span = spans.pop(0)
         if span.to_rest and speed <= 0:
             continue
         span = _from_speed(case, span._replace(start=now, end=min(span.end, end)), speed)
-        numbers = numbers if span.machine is machine else in_list(span.machine, angle, filled)
+        if span.machine is not machine:
+            numbers = numbers_from(span.machine, angle, filled, is_compiled=is_compiled)
         filled = math.nan
         asked = _wanted(case, span, angle, speed, samples)
         own = None if steps is None else list[tuple[float, float]]()
         telling = _from(span.start, progress)
-        found = run_by(kernels, _train(case, span, numbers), asked, is_compiled=False, progress=telling, ends=own)
+        found = run(kernels, _train(case, span, numbers), asked, is_compiled=is_compiled, progress=telling, ends=own)
         if steps is not None and own is not None:
             steps += [(span.start + time, reached) for time, reached in own]
         yield span, found
@@ -179,7 +183,7 @@ def _breaks(case: StartCase) -> Iterator[float]:
     yield from (back + at for at in times if back + at < off)
 
 
-def _train(case: StartCase, span: _Span, machine: list[float]) -> DriveTrain:
+def _train(case: StartCase, span: _Span, machine: Array | list[float]) -> DriveTrain:
     """Numbers of a span's kernels."""
     off, back, braked = _switches(case)
     numbers = () if case.motor is None else case.motor.row(case.design)
@@ -214,7 +218,9 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
     )
 
 
-def _together(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: int, asked: Array) -> StartRun:
+def _together(
+    case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: int, asked: Array, *, is_compiled: bool
+) -> StartRun:
     """One run of all its spans, times counted on, works added up; in whole, and at the times that were asked for."""
     times, states = list[Array](), list[Array]()
     before = np.zeros(N_STATE)
@@ -227,7 +233,8 @@ def _together(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: i
     span, last = runs[-1]
     time, state = np.concatenate(times), np.concatenate(states)
     wanted_too = np.flatnonzero(np.isin(time, asked))
-    whole, pressure = curves_of(case, time, state, [(one.start, one.machine) for one in _loaded(runs)])
+    loaded = [(one.start, one.machine) for one in _loaded(runs)]
+    whole, pressure = curves_of(case, time, state, loaded, is_compiled=is_compiled)
     return StartRun(
         reason=_(_reason(case, runs, reason)),
         time=time[wanted_too],
