@@ -11,7 +11,7 @@ from cranktrain.layout.shaft_loads import on_shafts
 from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive import rows
 from cranktrain.questions.drive.driven_speed import driven_speed
-from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_drive
+from cranktrain.questions.drive.steady_drive import SteadyDrive, steady_cycles, steady_drive
 from cranktrain.questions.drive.unlikely import unlikely_drive
 from cranktrain.questions.evenness.spec import DrivenByMotor
 
@@ -34,7 +34,7 @@ QUESTION = Question(
     "drive",
     problems=_problems,
     parts=_parts,
-    stages=(Stage(steady_drive), Stage(driven_speed), Stage(unlikely_drive)),
+    stages=(Stage(steady_cycles), Stage(steady_drive), Stage(driven_speed), Stage(unlikely_drive)),
     headline=("rms_motor_torque",),
     title=N_("Drive"),
     rows=(rows.running_rows, rows.constant_speed_rows),

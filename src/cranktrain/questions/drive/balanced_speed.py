@@ -59,7 +59,7 @@ def balance(turning: DriveInTurn, cycle: float) -> SpeedBalance:
         as far as the torque falls below the load.
     """
     there = turning.at((np.arange(_N_ANGLES) + 0.5) * cycle / _N_ANGLES)
-    highest = turning.motor.highest_speed(turning.design) / overall_ratio(turning.gearing)
+    highest = turning.motor.highest_speed(0) / overall_ratio(turning.gearing)
     if np.isfinite(highest):
         found = _up_to(there, highest)
         if found.speed is not None or found.excess[-1] <= 0:

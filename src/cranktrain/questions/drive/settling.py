@@ -5,7 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.balanced_speed import balance
 from cranktrain.questions.drive.cycle_equation import speed_over_turn
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, passings
@@ -66,7 +65,7 @@ def settled(
     turning = turning.at(mesh.nodes)
     if turning.is_held:
         return turning, None if held is None else _constant(mesh, held)
-    first, levels = balance(turning, machines.cycle).speed, _levels(turning.motor, turning.design, turning)
+    first, levels = balance(turning, machines.cycle).speed, _levels(turning)
     found = None if first is None else _cycle(turning, mesh, first) or _from_heavier(turning, mesh, first)
     kinks, passed, cuts, n_with_kinks = np.empty(0), np.empty(0), np.empty(0), 0
     for _again in range(_MOST_MESHES):
@@ -98,9 +97,9 @@ def missed_motion(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
     return np.max(left, axis=1) / turning.torque_size(found.speed)
 
 
-def _levels(motor: DeclaredMotor, design: int, turning: DriveInTurn) -> _Levels:
+def _levels(turning: DriveInTurn) -> _Levels:
     """Corners of the motor's law, at the crank."""
-    speeds = motor.corner_speeds(design)
+    speeds = turning.motor.corner_speeds(0)
     speeds = speeds[speeds > 0]
     at_crank = speeds / overall_ratio(turning.gearing)
     below, above = (turning.motor_torque(at_crank * (1 + side)) for side in (-_ASIDE, _ASIDE))

@@ -93,30 +93,56 @@ class SteadyDrive(Checked, Flagged):
     needs_motor: ClassVar[str] = DeclaredMotor.needs
 
 
-def steady_drive(
-    drive: DeclaredDrive,
-    motor: DeclaredMotor,
-    machines: ReducedMachines,
-    crank_angle: CrankAngle,
-    speed: Speed | None,
-) -> SteadyDrive:
-    """Find the steady cycle of every design, and what the motor and its drive do in it.
+@record
+class SteadyCycles:
+    """The steady cycle of every design, with the drive as it turns there, and the speed that is declared.
+
+    Attributes
+    ----------
+    turning : tuple of DriveInTurn
+    found : tuple of SpeedOverTurn or None
+        None where there is none.
+    held : Array, shape (design,)
+        Speed of the crank that is declared; NaN without. [rad/s]
+    """
+
+    turning: tuple[DriveInTurn, ...]
+    found: tuple[SpeedOverTurn | None, ...]
+    held: Array
+
+
+def steady_cycles(
+    drive: DeclaredDrive, motor: DeclaredMotor, machines: ReducedMachines, speed: Speed | None
+) -> SteadyCycles:
+    """Find the steady cycle of every design.
 
     Notes
     -----
     A servo motor holds the declared speed of the crank, if it is not given a torque.
     docs/theory/reduced-machine, eqs. (31.6) to (31.8).
     """
-    grid = np.broadcast_to(crank_angle.angle[:, 0], (len(drive.gearings), crank_angle.shown.size))
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
     each = [
-        _of_design(
-            DriveInTurn(machines.each[design], motor, design, gearing, is_held=motor.is_free(design)),
+        settled(
+            DriveInTurn(
+                machines.each[design], motor.of_design(design), design, gearing, is_held=motor.is_free(design)
+            ),
             machines,
-            grid[design],
-            float(held[design]),
+            held[design] if held[design] > 0 else None,
         )
         for design, gearing in enumerate(drive.gearings)
+    ]
+    return SteadyCycles(tuple(turning for turning, _found in each), tuple(found for _turning, found in each), held)
+
+
+def steady_drive(
+    cycles: SteadyCycles, motor: DeclaredMotor, machines: ReducedMachines, crank_angle: CrankAngle
+) -> SteadyDrive:
+    """What the motor and its drive do in the steady cycle of every design; docs/theory/reduced-machine, eq. (31.6)."""
+    grid = np.broadcast_to(crank_angle.angle[:, 0], (len(cycles.found), crank_angle.shown.size))
+    each = [
+        _of_design(turning, found, machines.cycle, angle, held)
+        for turning, found, angle, held in zip(cycles.turning, cycles.found, grid, cycles.held.tolist(), strict=True)
     ]
     needs = tuple(_("needs steady running") for _one in each)
     return SteadyDrive(
@@ -154,9 +180,8 @@ class _Found(NamedTuple):
     flags: tuple[Words, ...]
 
 
-def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array, held: float) -> _Found:
+def _of_design(turning: DriveInTurn, found: SpeedOverTurn | None, cycle: float, angle: Array, held: float) -> _Found:
     """Steady running of one design, with its curves at some crank angles, shape (n,). [rad]"""
-    turning, found = settled(turning, machines, held if held > 0 else None)
     if found is None:
         return _Found(
             None,
@@ -164,7 +189,7 @@ def _of_design(turning: DriveInTurn, machines: ReducedMachines, angle: Array, he
             np.full(_N_FACTS, np.nan),
             np.inf,
             np.inf,
-            (_no_cycle(turning, machines.cycle),),
+            (_no_cycle(turning, cycle),),
         )
     curves = np.stack(_curves(turning.at(angle), found.at(angle)))
     missed = float(np.max(missed_motion(turning, found)))
@@ -255,4 +280,4 @@ def _flags(turning: DriveInTurn, found: SpeedOverTurn, declared: float) -> Itera
     if abs(own - declared) > _OTHER_PACE * declared:
         said = _("With this motor and its ratio the crank turns at {own}, not at the declared {declared}.")
         yield said.format(own=number(own, "rpm"), declared=number(declared, "rpm"))
-    yield from beyond_measured(turning.motor, turning.design, found.speed * overall_ratio(turning.gearing))
+    yield from beyond_measured(turning.motor, 0, found.speed * overall_ratio(turning.gearing))

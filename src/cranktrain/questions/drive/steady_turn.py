@@ -22,7 +22,7 @@ _ALIKE = 1e-6
 class DriveInTurn(NamedTuple):
     """One design's machine, motor and gearing, as it turns forward; `here` is the machine at some crank angles.
 
-    `is_held`: a servo motor holds the speed that is declared, and gives what torque that takes.
+    The motor is that of this design alone; `design` is its place among all. `is_held`: a servo motor holds the speed that is declared, and gives what torque that takes.
     """
 
     machine: ReducedMachine
@@ -37,7 +37,7 @@ class DriveInTurn(NamedTuple):
         if self.is_held:
             return torque_through(self.here.taken(speed), ONE, self.gearing)[0]
         at_motor = speed * overall_ratio(self.gearing)
-        return self.motor.torque(np.broadcast_to(at_motor, (self.motor.n_designs, *speed.shape)))[self.design]
+        return self.motor.torque(at_motor[np.newaxis])[0]
 
     def largest_torque(self, found: SpeedOverTurn, sign: float = 1.0) -> float:
         """Largest torque of the motor over a cycle; of the other sign the smallest, by amount below 0. [N·m]"""
@@ -50,7 +50,7 @@ class DriveInTurn(NamedTuple):
     def heat(self, speed: Array) -> Array:
         """Power that heats the motor, by speeds of the crank, shape (n,). [W]"""
         at_motor = speed * overall_ratio(self.gearing)
-        return self.motor.heating(np.broadcast_to(at_motor, (self.motor.n_designs, *speed.shape)))[self.design]
+        return self.motor.heating(at_motor[np.newaxis])[0]
 
     def passed(self, speed: Array) -> Passed:
         """Acceleration of the crank, none where its speed is held, and torque at the output of every stage."""

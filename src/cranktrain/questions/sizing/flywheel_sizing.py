@@ -101,7 +101,7 @@ def drive_flywheel(
     flags: list[list[Words]] = []
     for design, gearing in enumerate(drive.gearings):
         flags.append([])
-        turning = DriveInTurn(machines.each[design], motor, design, gearing)
+        turning = DriveInTurn(machines.each[design], motor.of_design(design), design, gearing)
         torque, evenness = float(wanted.largest_torque[design]), float(wanted.fluctuation[design])
 
         def excess(

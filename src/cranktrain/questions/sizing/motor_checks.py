@@ -141,7 +141,7 @@ class MotorAtMachine(NamedTuple):
         """The drive as it turns forward."""
         machine = self.machines.each[0]
         held = self.motor.is_free(self.design)
-        return DriveInTurn(machine, self.motor, self.design, self.gearing, is_held=held)
+        return DriveInTurn(machine, self.motor.of_design(self.design), self.design, self.gearing, is_held=held)
 
 
 def mean_inertia(machine: ReducedMachine, cycle: float) -> float:
