@@ -24,7 +24,7 @@ from tests.starts import kernels, kloss, reference_drive  # noqa: E402 - found o
 # the project is imported below the path that the tests need
 import cranktrain as ct  # noqa: E402 - below the path
 from cranktrain.questions.start.asked import StartAsked  # noqa: E402 - below the path
-from cranktrain.questions.start.case import StartCase  # noqa: E402 - below the path
+from cranktrain.questions.start.case import StartCases  # noqa: E402 - below the path
 from cranktrain.questions.start.starting import run_start  # noqa: E402 - below the path
 from cranktrain.study.start import over_time  # noqa: E402 - below the path
 from cranktrain.transient.equation import DriveTrain, Kernels, no_brake, untimed  # noqa: E402 - below the path
@@ -134,7 +134,7 @@ def main():
 
 def time_of_a_turn(name):
     """Of an example at its steady speed, on its reduced machine. [s]"""
-    case = over_time(ct.load(name), [StartCase])[StartCase]
+    case = over_time(ct.load(name), [StartCases])[StartCases].each[0]
     motor = case.motor.motor.kernel
     numbers = in_one_row(case.machine)
     filled_at(case.zero, numbers)
@@ -195,7 +195,7 @@ def time_with_a_card(place, card):
             "part": {"wheel": {"on": "motor", "inertia": "0.5 kg*m^2"}},
         },
     )
-    case = over_time(machine, [StartCase])[StartCase]
+    case = over_time(machine, [StartCases])[StartCases].each[0]
     start = process_time()
     found = run_start(case, StartAsked())
     turns = float(np.ptp(found.whole.crank_angle_turned)) / (2 * np.pi)

@@ -176,7 +176,7 @@ def test_stages_over_time_lead_to_a_start(name):
     start = ct.start(machine)
     found = start.behind("motor_torque")
     assert found.stages[-1] == "start_curves"
-    assert ("stroke_run" in found.stages) is (machine.drive.stroke is not None)
+    assert ("ready_strokes" in found.stages) is (machine.drive.stroke is not None)
     assert "drive" in found.tables
 
 

@@ -59,10 +59,10 @@ def refuse_wrong(machines: Sequence[Machine], *, partial: bool = False) -> None:
         With everything that is wrong with any of them.
     """
     wrong = (problem for machine in machines for problem in machine_problems(machine, partial=partial))
-    refuse(dict.fromkeys((*_differences(machines), *wrong)))
+    refuse(dict.fromkeys((*differences(machines), *wrong)))
 
 
-def _differences(machines: Sequence[Machine]) -> Iterator[Problem]:
+def differences(machines: Sequence[Machine]) -> Iterator[Problem]:
     """Find where designs differ in more than numbers."""
     first = dict(_structure(machines[0])) if len(machines) > 1 else {}
     allowed = _("must be the same in all designs, which may differ in numbers alone; in design {n} it is another")

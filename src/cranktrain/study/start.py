@@ -19,7 +19,7 @@ from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.one_line import short
 from cranktrain.questions.start.asked import MovingParts, StartAsked
-from cranktrain.questions.start.facts import StartFacts, StrokeFacts
+from cranktrain.questions.start.facts import StartFacts, StrokeFacts, StrokeStops
 from cranktrain.questions.start.load_forces import StartForces
 from cranktrain.questions.start.record import StartEvent, StartEvents, StartPressures, StartRun
 from cranktrain.questions.start.rows import start_rows
@@ -135,7 +135,7 @@ class Start(Run):
 
     def behind(self, name: str) -> BehindQuantity:
         """What leads to a quantity in the machine."""
-        parts = _parts(self.machine, StartAsked())
+        parts = _parts((self.machine,), StartAsked())
         return pipeline(name, stages_over_time(self.machine, parts), parts, self.machine.declared).in_short
 
     @property
@@ -145,8 +145,8 @@ class Start(Run):
 
     def answer_rows(self) -> Iterator[tuple[Words, list[AnswerLine]]]:
         """Lines of the answer."""
-        facts, stroke = self.given[StartFacts], self.given.get(StrokeFacts)
-        yield _("Start"), list(start_rows(Telling(self.labels, self.titles, 0), self.run, facts, stroke))
+        facts, stroke, stops = self.given[StartFacts], self.given.get(StrokeFacts), self.given.get(StrokeStops)
+        yield _("Start"), list(start_rows(Telling(self.labels, self.titles, 0), self.run, facts, stroke, stops))
 
     def sections(self) -> Iterator[PagePart]:
         """The answer, and what happened on the way, line by line."""
@@ -214,10 +214,17 @@ def over_time(machine: Machine, outcomes: Sequence[type], asked: StartAsked | No
         What the machine declares, and what the stages give, by type.
     """
     refuse_wrong((machine,))
-    parts = _parts(machine, asked or StartAsked())
+    return over_time_of_designs((machine,), outcomes, asked)
+
+
+def over_time_of_designs(
+    machines: Sequence[Machine], outcomes: Sequence[type], asked: StartAsked | None = None
+) -> Mapping[type, Any]:
+    """As `over_time`, of designs of one machine with which nothing is wrong, and which differ in numbers alone."""
+    parts = _parts(machines, asked or StartAsked())
     if DeclaredDrive not in parts:
         raise InputError([Problem("drive", None, _("is missing; a start needs what drives the crank"))])
-    stages = stages_over_time(machine, parts)
+    stages = stages_over_time(machines[0], parts)
     absent = lacking(stages, parts)
     if StartRun.__name__ in absent:
         lacks = Listed(tuple(dict.fromkeys(absent[StartRun.__name__])))
@@ -225,6 +232,6 @@ def over_time(machine: Machine, outcomes: Sequence[type], asked: StartAsked | No
     return {**parts, **run_stages(leading_to(stages, outcomes), parts, absent)}
 
 
-def _parts(machine: Machine, asked: StartAsked) -> dict[type, Any]:
-    """What a machine declares, and what is asked of its start."""
-    return {**parts_of((machine,), step=FACTS_STEP), StartAsked: asked}
+def _parts(machines: Sequence[Machine], asked: StartAsked) -> dict[type, Any]:
+    """What designs declare, and what is asked of their starts."""
+    return {**parts_of(machines, step=FACTS_STEP), StartAsked: asked}

@@ -12,8 +12,8 @@ TIME, SENSE, WIDTH, OUTPUT, FASTEST, BOUND, INERTIA_BEFORE, INERTIA_AFTER = rang
 it; x′ of what is driven when it last was not 0; greatest speed; crank angle beyond which nothing may be looked at; the
 machine's inertia at the start of the run and where it stands."""
 STEPS, MARKS, REVERSALS, SAMPLE, BREAK, IS_FRESH, ENDS = range(7)
-"""Places in `Course.counts`: of steps, events and reversals; next sample and break; whether a phase is to begin; ends of
-steps that were written down last."""
+"""Places in `Course.counts`: of steps, events and reversals; next sample and break; whether a phase is to begin; how
+many ends of steps were written down in the last call."""
 
 
 class Course(NamedTuple):

@@ -10,7 +10,7 @@ from tests.machines import ROCKER
 import cranktrain as ct
 from cranktrain.layout.load_laws import ByAngle, ByTravel
 from cranktrain.questions.start.asked import StartAsked
-from cranktrain.questions.start.case import StartCase
+from cranktrain.questions.start.case import StartCases
 from cranktrain.questions.start.gentle_rows import corners_and_rows
 from cranktrain.questions.start.starting import run_start
 from cranktrain.study.start import over_time
@@ -121,7 +121,7 @@ def rocker(n, **start):
 @pytest.mark.parametrize("machine", [yoke(3600), rocker(3600, duration="3 s")], ids=["travel", "swing"])
 def test_rows_over_travel_and_swing_limit_steps(machine):
     """Two dead centres with the ends of the card beside them, and no row between."""
-    case = over_time(machine, [StartCase])[StartCase]
+    case = over_time(machine, [StartCases])[StartCases].each[0]
     assert case.corners.size <= 6
     found = run_start(case, StartAsked())
     assert found.method == "tsit5"
@@ -132,7 +132,7 @@ def test_rows_over_travel_and_swing_limit_steps(machine):
 def test_as_one_that_ends_at_every_row(motor, speed, method, monkeypatch):
     """The same start with all rows of a yoke as corners, at arccos(1 − 2s) on the way out, and back."""
     n, duration = 3600, "80 ms" if method == "tsit5" else "200 ms"
-    case = over_time(yoke(n, motor, speed, duration=duration), [StartCase])[StartCase]
+    case = over_time(yoke(n, motor, speed, duration=duration), [StartCases])[StartCases].each[0]
     found = run_start(case, StartAsked())
     out = np.arccos(1 - 2 * np.linspace(0, 1, n)) + case.zero
     case = replace(case, corners=np.concatenate([out, TURN - out]), rows=np.empty(0))

@@ -124,9 +124,7 @@ def steady_cycles(
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
     each = [
         settled(
-            DriveInTurn(
-                machines.each[design], motor.of_design(design), design, gearing, is_held=motor.is_free(design)
-            ),
+            DriveInTurn(machines.each[design], motor.of_design(design), design, gearing, is_held=motor.is_free(design)),
             machines,
             held[design] if held[design] > 0 else None,
         )

@@ -22,7 +22,8 @@ _ALIKE = 1e-6
 class DriveInTurn(NamedTuple):
     """One design's machine, motor and gearing, as it turns forward; `here` is the machine at some crank angles.
 
-    The motor is that of this design alone; `design` is its place among all. `is_held`: a servo motor holds the speed that is declared, and gives what torque that takes.
+    The motor is that of this design alone; `design` is its place among all. `is_held`: a servo motor holds the speed
+    that is declared, and gives what torque that takes.
     """
 
     machine: ReducedMachine

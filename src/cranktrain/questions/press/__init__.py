@@ -8,9 +8,9 @@ from cranktrain.questions.start.parts import are_strokes_wanted
 
 
 def _over_time() -> tuple[Stage, ...]:
-    from cranktrain.questions.press.stroke_start import stroke_run  # only where a start asks
+    from cranktrain.questions.press.stroke_start import ready_strokes  # only where a start asks
 
-    return (Stage(stroke_run, applies=are_strokes_wanted),)
+    return (Stage(ready_strokes, applies=are_strokes_wanted),)
 
 
 QUESTION = Question(

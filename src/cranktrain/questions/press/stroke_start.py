@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -12,10 +13,10 @@ from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.questions.press.case import PressCase
 from cranktrain.questions.press.strokes import PressStrokes
-from cranktrain.questions.start.asked import MovingParts, StartAsked
+from cranktrain.questions.start.asked import StartAsked
 from cranktrain.questions.start.curves import at_times
-from cranktrain.questions.start.notes import start_notes
-from cranktrain.questions.start.record import StartCurves, StartEvent, StartRun, StrokeRun
+from cranktrain.questions.start.parts import DeclaredStart
+from cranktrain.questions.start.record import ReadyStarts, StartCurves, StartEvent, StartRun, StrokeRun
 from cranktrain.questions.start.starting import wanted_times
 from cranktrain.transient.clutched.equation import (
     ANGLE,
@@ -58,29 +59,37 @@ STROKE_EVENTS = {
 WAITED = N_("the next stroke begins")
 
 
-def stroke_run(strokes: PressStrokes, parts: MovingParts, asked: StartAsked) -> StartRun:
-    """Run the stroke of a press: from its command until it rests, or until the next where a pace is asked for.
+def ready_strokes(strokes: PressStrokes, start: DeclaredStart) -> ReadyStarts:
+    """Strokes of a press: from the command until it rests, or until the next where a pace is asked for.
 
     Notes
     -----
-    docs/theory/clutched-drive, eqs. (30.1) to (30.15). If none is found, the last one tried is shown.
+    docs/theory/clutched-drive, eqs. (30.1) to (30.15).
     """
-    case, settled = strokes.cases[0], strokes.settled[0]
+    return ReadyStarts(partial(_run_of, strokes, start), None)
+
+
+def _run_of(
+    strokes: PressStrokes, start: DeclaredStart, design: int, asked: StartAsked, *, is_compiled: bool
+) -> StartRun:
+    """Run the stroke of a design, or refuse it; if none is found, the last one tried is shown. None is compiled."""
+    del is_compiled  # a stroke goes from phase to phase in objects of Python
+    case, settled, why_none = strokes.cases[design], strokes.settled[design], strokes.why_none[design]
     if case is None or settled is None:
-        raise InputError([Problem("drive.stroke", None, flag) for flag in strokes.flags])
-    run = _run(case, settled, parts, asked)
-    if not settled.is_found:
-        run = replace(run, reason=strokes.flags[0])
-    return replace(run, notes=tuple(start_notes(parts, run)))
+        raise InputError([Problem("drive.stroke", None, why_none)])
+    run = _run(case, settled, start.of(design).interval, start.texts.get("interval", ""), asked)
+    return run if settled.is_found else replace(run, reason=why_none)
 
 
-def _run(case: PressCase, settled: SettledStroke, parts: MovingParts, asked_for: StartAsked) -> StartRun:
+def _run(
+    case: PressCase, settled: SettledStroke, interval: float, interval_text: str, asked_for: StartAsked
+) -> StartRun:
     """Run a stroke that is there."""
     runs = [settled.stroke.run, *([] if settled.pace is None else [settled.pace.waiting])]
     end = float(runs[-1].end.time)
     even = np.linspace(0.0, end, _N_SAMPLES)
     whole_time = np.unique(np.concatenate([*(run.times for run in runs), even]))
-    asked = wanted_times(asked_for, parts.start.of(0).interval, parts.start.texts.get("interval", ""), end)
+    asked = wanted_times(asked_for, interval, interval_text, end)
     each = np.union1d(whole_time, asked)
     curves = _curves(case, _states(runs, each))
     whole = at_times(curves, np.searchsorted(each, whole_time))
@@ -97,7 +106,7 @@ def _run(case: PressCase, settled: SettledStroke, parts: MovingParts, asked_for:
         tolerance=case.plan.tolerance,
         n_steps=sum(run.n_steps for run in runs),
         method=_METHOD,
-        stroke=StrokeRun(settled, _longest_stop(case, settled)),
+        stroke=StrokeRun(settled, partial(_longest_stop, case, settled)),
     )
 
 

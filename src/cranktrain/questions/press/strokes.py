@@ -38,6 +38,7 @@ class PressStrokes(Checked, Flagged):
 
     cases: tuple[PressCase | None, ...]
     settled: tuple[SettledStroke | None, ...]
+    why_none: tuple[Words, ...]
     command_angle: Array = quantity(
         "φ_c",
         "rad",
@@ -124,6 +125,7 @@ def press_strokes(
     return PressStrokes(
         tuple(one.case for one in found),
         tuple(one.settled for one in found),
+        tuple(one.why_not for one in found),
         *facts,
         checks=(
             Check(

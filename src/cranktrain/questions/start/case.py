@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from cranktrain.errors import InputError
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.start.parts import StartOrders
@@ -88,7 +89,7 @@ class StartCase:
         After which these come again. [rad]
     gearing : Gearing
     motor : DeclaredMotor or None
-    design : int
+        Of this design alone.
     start : StartOrders
     interval_text : str
         As the file has it, nothing without one.
@@ -109,7 +110,6 @@ class StartCase:
     cycle: float
     gearing: Gearing
     motor: DeclaredMotor | None
-    design: int
     start: StartOrders
     interval_text: str
     brake: Braking
@@ -125,3 +125,10 @@ class StartCase:
         start = self.start
         others = (start.duration, start.until_speed, start.motor_off, start.brake_on)
         return bool(np.isfinite(self.steady_speed)) and bool(np.all(np.isinf(others)))
+
+
+@record
+class StartCases:
+    """All designs, each ready to start, or why it is not."""
+
+    each: tuple[StartCase | InputError, ...]

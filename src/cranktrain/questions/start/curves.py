@@ -17,7 +17,7 @@ from cranktrain.transient.compiling import quick
 from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED, Kernels, joined
 from cranktrain.transient.floats import in_floats
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
-from cranktrain.transient.reduced import ReducedMachine, filled_at, in_one_row, pressures_at, settle
+from cranktrain.transient.reduced import ReducedMachine, filled_at, in_one_row, pressures_at
 
 _QUICKLY = 0.01
 """Of its largest torque, by which a motor's changes in a step that is looked into closely."""
@@ -84,7 +84,7 @@ def curves_of(
 def motor_torque(case: StartCase, time: Array, speed: Array, *, is_compiled: bool = False) -> Array:
     """Of the motor at times and speeds of the crank, as it is switched. [N·m]"""
     numbers = Switching(
-        () if case.motor is None else case.motor.row(case.design),
+        () if case.motor is None else case.motor.row(0),
         case.start.motor_off,
         case.start.motor_reversed,
         0.0,

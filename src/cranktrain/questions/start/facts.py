@@ -73,7 +73,7 @@ class StartFacts:
 
 @record
 class StrokeFacts:
-    """A stroke of a press, and the longest stop that a command on its way could lead to; as `StartFacts`."""
+    """A stroke of a press; as `StartFacts`."""
 
     slip_time: Array = quantity(
         "t_K", "s", (), N_("Time in which the clutch slipped while the crank turned"), _CLUTCHED, "30.1, 30.2, 30.6"
@@ -86,6 +86,12 @@ class StrokeFacts:
         "t_B", "s", (), N_("Time from the command until the crank rested"), _CLUTCHED, "30.10"
     )
     heat_of_brake: Array = quantity("Q_B", "J", (), N_("Heat in the brake from the stroke"), _CLUTCHED, "30.8")
+
+
+@record
+class StrokeStops:
+    """The longest stop that a command on the way of a stroke could lead to; as `StartFacts`."""
+
     longest_stop_time: Array = quantity(
         "t_max", "s", (), N_("Longest time from a command on the way until the crank rests"), _CLUTCHED, "30.14"
     )
@@ -126,15 +132,22 @@ def start_facts(run: StartRun) -> StartFacts:
 
 
 def stroke_facts(run: StartRun) -> StrokeFacts:
-    """Take from a stroke what clutch and brake did, and the longest stop; NaN where there is none."""
+    """Take from a stroke what clutch and brake did."""
     assert run.stroke is not None  # as a stroke gives it
-    own, worst = run.stroke.settled.stroke, run.stroke.longest_stop
-    began = float(own.run.start.state[ANGLE])
+    own = run.stroke.settled.stroke
+    each = (own.slip_time, own.clutch_heat, own.brake_angle, own.brake_time, own.brake_heat)
+    return StrokeFacts(*np.array(each, dtype=np.float64)[:, np.newaxis])
+
+
+def stroke_stops(run: StartRun) -> StrokeStops:
+    """Look for the longest stop; NaN where there is none. docs/theory/clutched-drive, eq. (30.14)."""
+    assert run.stroke is not None  # as a stroke gives it
+    worst = run.stroke.longest_stop
     stops = [np.nan] * 4
     if worst is not None:
+        began = float(run.stroke.settled.stroke.run.start.state[ANGLE])
         stops = [worst.time, worst.time_command - began, worst.angle, worst.angle_command - began]
-    each = (own.slip_time, own.clutch_heat, own.brake_angle, own.brake_time, own.brake_heat, *stops)
-    return StrokeFacts(*np.array(each, dtype=np.float64)[:, np.newaxis])
+    return StrokeStops(*np.array(stops, dtype=np.float64)[:, np.newaxis])
 
 
 def _last(curve: Array) -> float:

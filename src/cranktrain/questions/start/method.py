@@ -53,10 +53,10 @@ def method_of(case: StartCase, *, is_compiled: bool = False) -> Method:
     explicit = Method(run, is_compiled)
     if case.motor is None or len(case.machine.chambers) or find_spec("scipy") is None:
         return explicit
-    top = case.motor.highest_speed(case.design)
+    top = case.motor.highest_speed(0)
     if not np.isfinite(top):
         return explicit
-    switching = Switching(case.motor.row(case.design), np.inf, np.inf, 0.0)
+    switching = Switching(case.motor.row(0), np.inf, np.inf, 0.0)
     drive = DriveTrain(numbers_from(case.machine, 0.0), switching, _NO_BRAKE, case.gearing, case.place)
     at_crank = top / overall_ratio(case.gearing)
     if not is_stiff(slip_time_constant(start_kernels(case.motor), drive, top, _ANGLES), at_crank):

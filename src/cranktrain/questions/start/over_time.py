@@ -3,12 +3,12 @@
 from cranktrain.layout.drive.declared import DeclaredStroke
 from cranktrain.layout.question import Stage
 from cranktrain.questions.start.asked import MovingParts
-from cranktrain.questions.start.facts import start_facts, stroke_facts
+from cranktrain.questions.start.facts import start_facts, stroke_facts, stroke_stops
 from cranktrain.questions.start.load_forces import have_forces, start_forces
 from cranktrain.questions.start.parts import are_strokes_wanted
-from cranktrain.questions.start.ready import start_case
+from cranktrain.questions.start.ready import start_cases
 from cranktrain.questions.start.record import start_curves, start_events, start_pressures
-from cranktrain.questions.start.starting import start_run
+from cranktrain.questions.start.starting import ready_starts, start_run
 
 
 def is_no_stroke(stroke: DeclaredStroke | None) -> bool:
@@ -18,12 +18,14 @@ def is_no_stroke(stroke: DeclaredStroke | None) -> bool:
 
 STAGES = (
     Stage(MovingParts),
-    Stage(start_case, applies=is_no_stroke),
-    Stage(start_run, applies=is_no_stroke),
+    Stage(start_cases, applies=is_no_stroke),
+    Stage(ready_starts, applies=is_no_stroke),
+    Stage(start_run),
     Stage(start_curves),
     Stage(start_pressures),
     Stage(start_forces, applies=have_forces),
     Stage(start_events),
     Stage(start_facts),
     Stage(stroke_facts, applies=are_strokes_wanted),
+    Stage(stroke_stops, applies=are_strokes_wanted),
 )

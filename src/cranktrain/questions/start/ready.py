@@ -6,12 +6,13 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive
-from cranktrain.questions.drive.steady_drive import SteadyDrive
+from cranktrain.motion import Array
+from cranktrain.questions.drive.steady_drive import SteadyCycles
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.reduction.at_angles import has_inertia, reduced_at
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.start.asked import MovingParts
-from cranktrain.questions.start.case import Braking, StartCase
+from cranktrain.questions.start.case import Braking, StartCase, StartCases
 from cranktrain.questions.start.gentle_rows import corners_and_rows
 from cranktrain.saying.wording import number
 from cranktrain.transient.equation import AT_MOTOR, BrakePlace
@@ -22,50 +23,71 @@ _SAME = 1e-9
 """In parts: pressures that differ by less are one, in whichever unit."""
 
 
-def start_case(
+def start_cases(
     drive: DeclaredDrive,
     parts: MovingParts,
     machines: ReducedMachines,
-    steady: SteadyDrive | None,
+    steady: SteadyCycles | None,
     gas: GasInChambers | None,
     crank_angle: CrankAngle,
+) -> StartCases:
+    """Make every design ready to start; what is wrong with one stands at its place."""
+    chambers = () if gas is None else _remembering(gas)
+    each = list[StartCase | InputError]()
+    for design in range(len(drive.gearings)):
+        try:
+            each.append(_start_case(drive, parts, machines, steady, chambers, crank_angle, design))
+        except InputError as error:
+            each.append(error)
+    return StartCases(tuple(each))
+
+
+def _start_case(
+    drive: DeclaredDrive,
+    parts: MovingParts,
+    machines: ReducedMachines,
+    steady: SteadyCycles | None,
+    chambers: tuple[str, ...],
+    crank_angle: CrankAngle,
+    design: int,
 ) -> StartCase:
-    """Make the machine ready to start: refuse one that has no inertia, or whose load is no number."""
-    if not has_inertia(machines.each[0], turning_inertia(drive.gearings[0])):
+    """Make a design ready to start: refuse one that has no inertia, or whose load is no number."""
+    machine, gearing = machines.each[design], drive.gearings[design]
+    if not has_inertia(machine, turning_inertia(gearing)):
         allowed = _(
             "moves nothing that has inertia, and a start needs some: of the motor, [drive.part.NAME] or [masses]"
         )
         raise InputError([Problem("drive", None, allowed)])
-    _refuse_unknown_load(machines.each[0], crank_angle)
-    brake, place = _brake(parts.brake)
-    start = parts.start.of(0)
-    _refuse_pressure(machines.each[0], start.gas_pressure, parts.start.texts.get("gas_pressure", ""))
-    corners, rows = corners_and_rows(machines.corners[0], machines.misses[0], machines.cycle, start.tolerance)
-    cycle_time = np.nan if steady is None else float(steady.cycle_time[0])
+    _refuse_unknown_load(machine, crank_angle.angle[min(design, len(crank_angle.angle) - 1), 0])
+    brake, place = _brake(parts.brake, design)
+    start = parts.start.of(design)
+    _refuse_pressure(machine, start.gas_pressure, parts.start.texts.get("gas_pressure", ""))
+    corners, rows = corners_and_rows(machines.corners[design], machines.misses[design], machines.cycle, start.tolerance)
+    found = None if steady is None else steady.found[design]
+    cycle_time = np.nan if found is None else found.period
     return StartCase(
-        machine=machines.each[0],
+        machine=machine,
         corners=corners,
         rows=rows,
         cycle=machines.cycle,
-        gearing=drive.gearings[0],
-        motor=parts.motor,
-        design=0,
+        gearing=gearing,
+        motor=None if parts.motor is None else parts.motor.of_design(design),
         start=start,
         interval_text=parts.start.texts.get("interval", ""),
         brake=brake,
         place=place,
-        chambers=() if gas is None else _remembering(gas),
-        zero=float(crank_angle.zero[0, 0, 0]),
+        chambers=chambers,
+        zero=float(crank_angle.zero[min(design, len(crank_angle.zero) - 1), 0, 0]),
         steady_speed=machines.cycle / cycle_time,
         cycle_time=cycle_time,
     )
 
 
-def _brake(found: DeclaredBrake | None) -> tuple[Braking, BrakePlace]:
-    """The brake of the file, whose torque begins its delay after the command, and where it sits."""
+def _brake(found: DeclaredBrake | None, design: int) -> tuple[Braking, BrakePlace]:
+    """The brake of a design, whose torque begins its delay after the command, and where it sits."""
     if found is None:
         return Braking(0.0, 0.0, 0.0), AT_MOTOR
-    grip = found.of(0)
+    grip = found.of(design)
     place = BrakePlace(float(found.on == "crank"), grip.static_torque / grip.torque)
     return Braking(grip.torque, grip.delay, grip.rise_time), place
 
@@ -92,9 +114,9 @@ def _refuse_pressure(machine: ReducedMachine, pressure: float, text: str) -> Non
         raise InputError([Problem("drive.start.gas_pressure", text, said)])
 
 
-def _refuse_unknown_load(machine: ReducedMachine, grid: CrankAngle) -> None:
-    """Refuse loads that are no number although the links close: gas can be beyond computing."""
-    there = reduced_at(machine, grid.angle[0, 0])
+def _refuse_unknown_load(machine: ReducedMachine, angle: Array) -> None:
+    """Refuse loads that are no number at crank angles at which the links close: gas can be beyond computing. [rad]"""
+    there = reduced_at(machine, angle)
     if np.any(np.isfinite(there.inertia) & ~np.isfinite(there.load)):
         allowed = _("needs the load on the crank, which is no number here: see what `run` says of gas and loads")
         raise InputError([Problem("drive", None, allowed)])

@@ -1,8 +1,9 @@
 """What became of a start: its curves over time, its events, why it ended."""
 
 from collections import Counter
-from collections.abc import Mapping
-from typing import NamedTuple
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,12 +12,14 @@ from cranktrain.language import N_, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.questions.gas.chambers import GasInChambers
+from cranktrain.questions.start.asked import StartAsked
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _THEORY
 from cranktrain.saying.catalogue import quantity
 from cranktrain.saying.checks import StageResult
 from cranktrain.transient.clutched.settled import SettledStroke
 from cranktrain.transient.clutched.stopping import WorstStop
+from cranktrain.transient.equation import Kernels
 
 _TIME = ("time",)
 _REDUCED = "docs/theory/reduced-machine"
@@ -104,10 +107,15 @@ class StartEvent:
 
 @record
 class StrokeRun:
-    """What a stroke tells besides its curves: the stroke, and the longest stop, None where there is none."""
+    """What a stroke tells besides its curves: the stroke, and what looks for the longest stop when asked."""
 
     settled: SettledStroke
-    longest_stop: WorstStop | None
+    look_for_stop: Callable[[], WorstStop | None]
+
+    @cached_property
+    def longest_stop(self) -> WorstStop | None:
+        """The longest stop that a command on the way could lead to; None where there is none."""
+        return self.look_for_stop()
 
 
 @record
@@ -151,6 +159,30 @@ class StartRun:
     gas: GasOverTime | None = None
     stroke: StrokeRun | None = None
     notes: tuple[str, ...] = ()
+
+
+class RunsDesign(Protocol):
+    """Runs the start of a design, by its place, as it is asked for; compiled where that is said and can be."""
+
+    def __call__(self, design: int, asked: StartAsked, *, is_compiled: bool) -> StartRun:
+        """Run it, or refuse it by an `InputError`."""
+        ...
+
+
+@record
+class ReadyStarts:
+    """Starts of all designs, each run when it is asked for.
+
+    Attributes
+    ----------
+    run : callable
+        See `RunsDesign`.
+    kernels : Kernels or None
+        Of a compiled run; None where none is.
+    """
+
+    run: RunsDesign
+    kernels: Kernels | None
 
 
 def start_curves(run: StartRun) -> StartCurves:

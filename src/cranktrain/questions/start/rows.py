@@ -3,12 +3,14 @@
 from collections.abc import Iterator
 
 from cranktrain.language import N_, _
-from cranktrain.questions.start.facts import StartFacts, StrokeFacts
+from cranktrain.questions.start.facts import StartFacts, StrokeFacts, StrokeStops
 from cranktrain.questions.start.record import StartRun
 from cranktrain.saying.rows import AnswerLine, Telling, worded
 
 
-def start_rows(of: Telling, run: StartRun, facts: StartFacts, stroke: StrokeFacts | None) -> Iterator[AnswerLine]:
+def start_rows(
+    of: Telling, run: StartRun, facts: StartFacts, stroke: StrokeFacts | None, stops: StrokeStops | None
+) -> Iterator[AnswerLine]:
     """Rows of a run, in the order in which people ask."""
     yield of.line(_("it ends after"), N_("{start_duration}: {reason}"), facts, reason=run.reason)
     yield worded(
@@ -40,8 +42,8 @@ def start_rows(of: Telling, run: StartRun, facts: StartFacts, stroke: StrokeFact
         )
     )
     yield of.line(_("energy"), words, facts)
-    if stroke is not None:
-        yield from _stroke_rows(of, stroke)
+    if stroke is not None and stops is not None:
+        yield from _stroke_rows(of, stroke, stops)
     if facts.final_motor_heat[0] > 0:
         yield worded(_("heat in the rotor"), of.amount(facts, "final_motor_heat"))
     yield from (worded(_("mind"), note) for note in run.notes)
@@ -58,7 +60,7 @@ def start_rows(of: Telling, run: StartRun, facts: StartFacts, stroke: StrokeFact
     )
 
 
-def _stroke_rows(of: Telling, stroke: StrokeFacts) -> Iterator[AnswerLine]:
+def _stroke_rows(of: Telling, stroke: StrokeFacts, stops: StrokeStops) -> Iterator[AnswerLine]:
     """What clutch and brake did, and the longest stop that a command on the way could lead to."""
     yield of.line(_("clutch"), N_("slips for {slip_time}, takes {heat_of_clutch}"), stroke)
     stopping = of.line(_("brake"), N_("stops in {angle_of_braking}, {time_of_braking}, takes {heat_of_brake}"), stroke)
@@ -69,6 +71,6 @@ def _stroke_rows(of: Telling, stroke: StrokeFacts) -> Iterator[AnswerLine]:
             "{longest_stop_time}, commanded at {longest_stop_time_command}; {longest_stop_angle}, commanded at"
             " {longest_stop_angle_command} from the start"
         ),
-        stroke,
+        stops,
     )
     yield from [stop] if stop.says else []

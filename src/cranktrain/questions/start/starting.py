@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -12,11 +13,11 @@ from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.questions.reduction.unloaded import with_open_valves
 from cranktrain.questions.start.asked import MovingParts, StartAsked
-from cranktrain.questions.start.case import StartCase, Switching, start_kernels
+from cranktrain.questions.start.case import StartCase, StartCases, Switching, start_kernels
 from cranktrain.questions.start.curves import at_times, close_times, curves_of, numbers_from
 from cranktrain.questions.start.method import Method, method_of
 from cranktrain.questions.start.notes import start_notes
-from cranktrain.questions.start.record import GasOverTime, StartEvent, StartRun
+from cranktrain.questions.start.record import GasOverTime, ReadyStarts, StartEvent, StartRun
 from cranktrain.saying.wording import number
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
@@ -64,14 +65,27 @@ class _Span(NamedTuple):
     to_rest: bool = False
 
 
-def start_run(case: StartCase, parts: MovingParts, asked: StartAsked) -> StartRun:
-    """Run the start to its end, and say what of the file it leaves out.
+def ready_starts(cases: StartCases, parts: MovingParts) -> ReadyStarts:
+    """Runs from rest; docs/theory/transient, eqs. (26.7) to (26.13)."""
+    return ReadyStarts(partial(_run_of, cases), start_kernels(parts.motor, is_compiled=True))
+
+
+def _run_of(cases: StartCases, design: int, asked: StartAsked, *, is_compiled: bool) -> StartRun:
+    """Run the start of a design, or refuse it."""
+    case = cases.each[design]
+    if isinstance(case, InputError):
+        raise case
+    return run_start(case, asked, is_compiled=is_compiled)
+
+
+def start_run(ready: ReadyStarts, parts: MovingParts, asked: StartAsked) -> StartRun:
+    """Run the start of the only design to its end, and say what of the file it leaves out.
 
     Notes
     -----
-    docs/theory/transient, eqs. (26.7) to (26.13).
+    docs/theory/transient, eqs. (26.7) to (26.13); of a press docs/theory/clutched-drive, eqs. (30.1) to (30.15).
     """
-    run = run_start(case, asked)
+    run = ready.run(0, asked, is_compiled=False)
     return replace(run, notes=tuple(start_notes(parts, run)))
 
 
@@ -178,7 +192,7 @@ def _breaks(case: StartCase) -> Iterator[float]:
     yield from (off, back, braked, braked + case.brake.rise_time)
     if case.motor is None:
         return
-    times = [float(np.ravel(at[..., case.design])[0]) for at in case.motor.law.breaks(case.motor.numbers).times]
+    times = [float(np.ravel(at)[0]) for at in case.motor.law.breaks(case.motor.numbers).times]
     yield from (at for at in times if at < min(off, back))
     yield from (back + at for at in times if back + at < off)
 
@@ -186,7 +200,7 @@ def _breaks(case: StartCase) -> Iterator[float]:
 def _train(case: StartCase, span: _Span, machine: Array | list[float]) -> DriveTrain:
     """Numbers of a span's kernels."""
     off, back, braked = _switches(case)
-    numbers = () if case.motor is None else case.motor.row(case.design)
+    numbers = () if case.motor is None else case.motor.row(0)
     return DriveTrain(
         machine,
         Switching(numbers, off, back, span.start),

@@ -91,7 +91,7 @@ def swept(
 def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_meant: bool) -> Sweep:
     """Compute what a store has not."""
     designs = plan.designs
-    compute = partial(facts_of_rows, plan.machine, wanted=plan.wanted, over_time=plan.over_time)
+    compute = partial(facts_of_rows, plan.machine, wanted=plan.wanted, over_time=plan.over_time, n_all=len(designs))
     blocks = store.opened(plan)
     missing = [] if blocks is None else [number for number in range(len(blocks)) if number not in store.done]
     if blocks is not None and not missing:

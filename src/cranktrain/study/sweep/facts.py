@@ -15,7 +15,7 @@ from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.checks import Flag
 from cranktrain.saying.run import Run
-from cranktrain.study.start import Start, start
+from cranktrain.study.starts import Starts, facts_of_starts
 from cranktrain.study.sweep.designs import designs_in_columns
 from cranktrain.study.sweep.varied import SweptDesigns, rows_listed
 
@@ -51,7 +51,12 @@ class FactsOfRows(NamedTuple):
 
 
 def facts_of_rows(
-    machine: Machine, rows: Sequence[Mapping[str, object]], wanted: Sequence[str], *, over_time: bool = False
+    machine: Machine,
+    rows: Sequence[Mapping[str, object]],
+    wanted: Sequence[str],
+    *,
+    over_time: bool = False,
+    n_all: int | None = None,
 ) -> FactsOfRows:
     """Compute facts of designs, which differ from a machine in some values.
 
@@ -64,12 +69,14 @@ def facts_of_rows(
         Names of facts.
     over_time : bool
         Whether they are of starts, and not of the cycle.
+    n_all : int, optional
+        How many designs there are, of which these are some.
     """
-    return facts_of_designs(machine, rows_listed(rows), 0, len(rows), wanted, over_time=over_time)
+    return facts_of_designs(machine, rows_listed(rows), 0, len(rows), wanted, over_time=over_time, n_all=n_all)
 
 
 def facts_of_designs(
-    machine: Machine, designs: SweptDesigns, first: int, last: int, wanted: Sequence[str], *, over_time: bool = False
+    machine: Machine, designs: SweptDesigns, first: int, last: int, wanted: Sequence[str], *, over_time: bool = False, n_all: int | None = None
 ) -> FactsOfRows:
     """Compute facts of some designs of a sweep, as of their rows.
 
@@ -83,6 +90,8 @@ def facts_of_designs(
         Names of facts.
     over_time : bool
         Whether they are of starts, and not of the cycle.
+    n_all : int, optional
+        How many designs there are, of which these are some.
     """
     block = designs_in_columns(machine, designs, first, last)
     refused: list[Problem | None] = [None] * (last - first)
@@ -91,7 +100,7 @@ def facts_of_designs(
     together = _Gathered(len(refused))
     for group in block.groups:
         places = group.places.tolist()
-        runs = _starts(places, group.each, refused) if over_time else _cycles(places, group.each, wanted, refused)
+        runs = _starts(places, group.each, wanted, refused, n_all) if over_time else _cycles(places, group.each, wanted, refused)
         for found, of in runs:
             together.take(found, of, wanted)
     return together.found(refused)
@@ -120,16 +129,17 @@ def rows_of(found: FactsOfRows, first: int, after: int) -> FactsOfRows:
 
 
 def _starts(
-    places: Sequence[int], machines: Sequence[Machine], refused: list[Problem | None]
+    places: Sequence[int],
+    machines: Sequence[Machine],
+    wanted: Sequence[str],
+    refused: list[Problem | None],
+    n_all: int | None,
 ) -> Iterator[tuple[Run, Sequence[int]]]:
-    """Starts of designs, one by one."""
-    for place, machine in zip(places, machines, strict=True):
-        try:
-            found = start(machine)
-        except InputError as error:
-            refused[place] = error.problems[0]
-        else:
-            yield found, [place]
+    """Starts of designs that differ in numbers alone."""
+    found = facts_of_starts(machines, wanted, n_all=n_all)
+    for design, problem in found.refused.items():
+        refused[places[design]] = problem
+    yield Starts(tuple(machines), found), places
 
 
 def _cycles(
@@ -177,8 +187,8 @@ class _Gathered:
         if run.n_designs is None:
             values = {name: value[np.newaxis] for name, value in values.items()}
         self.add(entries, labels, values, places)
-        if isinstance(run, Start):
-            self.ended[places[0]] = run.run.reason
+        for place, reason in zip(places, run.reasons if isinstance(run, Starts) else (), strict=False):
+            self.ended[place] = reason
         for check in run.checks if isinstance(run, Result) else ():
             for place in np.flatnonzero(check.judged & ~check.passed).tolist():
                 self.failing[places[place]] = check.sentence
