@@ -105,7 +105,7 @@ class _Going(NamedTuple):
     longest_step: float
     table: Array
     events: list[Event]
-    ends: list[tuple[float, float]]
+    ends: list[Array]
     is_compiled: bool
     calls: list[int]
     got: list[tuple[int, float]]
@@ -120,7 +120,7 @@ def run_implicitly(
     longest_step: float = np.inf,
     is_compiled: bool = True,
     progress: Progress | None = None,
-    ends: list[tuple[float, float]] | None = None,
+    ends: list[Array] | None = None,
 ) -> TransientRun:
     """Run as `runs.run` does, by `solve_ivp` of SciPy with LSODA or Radau; phases, events and reasons are the same.
 
@@ -176,7 +176,7 @@ def run_implicitly(
         if progress is None:
             raise
         reason = endings.STOPPED
-    going.ends.append((time, float(state[1])))
+    going.ends.append(np.array([[time, state[1]]]))
     after = machine(state[0], state[1], sense, train.machine)[0]
     residual, supplied = energy_account(drive, (before, after), asked.start, state)
     ended_at_once = np.isnan(table[:, 0]) & (asked.samples == time)
@@ -260,7 +260,7 @@ def _phase(going: _Going, time: float, state: Array, sense: float) -> tuple[floa
             if kind != endings.DEAD_POSITION or time > 0 or abs(y[0] - state[0]) > _WHERE_IT_BEGINS:
                 events.append(Event(kind, float(when), float(y[0]), float(y[1])))
     _fill(table, asked.samples, time, found.t[-1], found.sol)
-    going.ends.extend(zip(found.t.tolist(), found.y[1].tolist(), strict=True))
+    going.ends.append(np.column_stack([found.t, found.y[1]]))
     end = float(found.t[-1])
     ending = endings.NO_STEP_SHORT_ENOUGH
     if len(over):

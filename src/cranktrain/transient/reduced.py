@@ -64,7 +64,7 @@ class ReducedLoad(NamedTuple):
 class ReducedChamber(NamedTuple):
     """One chamber of a compressor, which remembers its gas: where its volume stands; pressures [Pa], exponents [1].
 
-    Under the pistons is the ambient pressure.
+    Under the pistons is the ambient pressure. Largest and smallest volume over the turn. [m³]
     """
 
     volume: int
@@ -73,11 +73,13 @@ class ReducedChamber(NamedTuple):
     compression_exponent: float
     expansion_exponent: float
     ambient: float
+    largest: float
+    smallest: float
 
 
 LAW, RATE, PLACE, IS_SQUARED, RESISTS, COUNTS, SIZE, AT, EXPONENT, FIRST, N_POINTS, ORIGIN, PERIOD = range(13)
 """Where the fields of `ReducedLoad` stand in its row: a compiled kernel then serves machines of any number of loads."""
-VOLUME, SUCTION, DISCHARGE, COMPRESSION, EXPANSION, AMBIENT = range(6)
+VOLUME, SUCTION, DISCHARGE, COMPRESSION, EXPANSION, AMBIENT, LARGEST, SMALLEST = range(8)
 """And those of `ReducedChamber`."""
 
 

@@ -207,7 +207,7 @@ def run(
     *,
     is_compiled: bool = True,
     progress: Progress | None = None,
-    ends: list[tuple[float, float]] | None = None,
+    ends: list[Array] | None = None,
 ) -> TransientRun:
     """Run a machine by an explicit method.
 
@@ -224,7 +224,7 @@ def run(
         (time, crank angle, speed) → anything, called some 30 times a second of the user's time. With it, a run that
         the user interrupts (Ctrl-C) gives what was computed so far, with the reason `STOPPED`; numbers are the same.
     ends : list, optional
-        To which time and speed of the crank are added where steps end. [s, rad/s]
+        To which time and speed of the crank where steps end are added, arrays of shape (n, 2). [s, rad/s]
 
     Returns
     -------
@@ -260,7 +260,7 @@ def _run_through(
     log: Log,
     most_steps: int,
     progress: Progress | None,
-    ends: list[tuple[float, float]] | None,
+    ends: list[Array] | None,
 ) -> tuple[int, Course]:
     """Run to the end, so many steps at a time as are written down, or take the time between two tellings."""
     if progress is None and ends is None:
@@ -272,7 +272,7 @@ def _run_through(
             reason = loop(course, *log, n_steps)
             kept = copied(course)
             if ends is not None:
-                ends.extend((time, speed) for time, speed in log.ends[: course.counts[ENDS]].tolist())
+                ends.append(log.ends[: course.counts[ENDS]].copy())
             if progress is not None:
                 progress(float(course.here[TIME]), float(course.state[0]), float(course.state[1]))
                 n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))

@@ -23,6 +23,7 @@ from cranktrain.transient.reduced import (
     FIRST,
     INERTIA,
     IS_SQUARED,
+    LARGEST,
     LAW,
     N_POINTS,
     ORIGIN,
@@ -32,6 +33,7 @@ from cranktrain.transient.reduced import (
     RATE,
     RESISTS,
     SIZE,
+    SMALLEST,
     SUCTION,
     TURN,
     VOLUME,
@@ -44,6 +46,9 @@ _Coefficient: TypeAlias = Callable[[float], Array]
 
 
 _ORDERS = np.arange(1.0, DEGREE + 1)
+_PLACES = np.linspace(-1.0, 1.0, 33)
+"""In a piece, at which its extremes are looked for."""
+_LOOKED = np.vander(_PLACES, DEGREE + 1, increasing=True)
 
 
 class ReducedAt(NamedTuple):
@@ -152,7 +157,7 @@ def _steady_pressures(machine: ReducedMachine, value: _Coefficient, slope: _Coef
     """
     found: list[Array] = []
     for chamber in np.asarray(machine.chambers).tolist():
-        largest, smallest = (_extreme_volume(machine, int(chamber[VOLUME]), sign) for sign in (1.0, -1.0))
+        largest, smallest = chamber[LARGEST], chamber[SMALLEST]
         volume, shrinks = value(chamber[VOLUME]), slope(chamber[VOLUME]) < 0
         pressed: Array = chamber[SUCTION] * (largest / volume) ** chamber[COMPRESSION]
         delivers = chamber[SUCTION] * (largest / smallest) ** chamber[COMPRESSION] > chamber[DISCHARGE]
@@ -162,14 +167,29 @@ def _steady_pressures(machine: ReducedMachine, value: _Coefficient, slope: _Coef
     return found
 
 
-def _extreme_volume(machine: ReducedMachine, which: int, sign: float) -> float:
-    """Largest (1) or smallest (−1) value of a coefficient over the turn."""
-    own = _apart(machine)[:, which]
-    places = np.linspace(-1.0, 1.0, 33)
-    samples = sign * product(own, np.vander(places, DEGREE + 1, increasing=True).T)
-    piece, place = np.unravel_index(np.argmax(samples), samples.shape)
-    curve = np.polynomial.Polynomial(own[piece])
-    slope, x = curve.deriv(), float(places[place])
+def extremes_over_turn(pieces: Array) -> tuple[float, float]:
+    """Largest and smallest value over the turn of a coefficient, by its polynomials, shape (piece, `DEGREE` + 1)."""
+    samples = product(pieces, _LOOKED.T)
+    return _extreme(pieces, samples, 1.0), _extreme(pieces, samples, -1.0)
+
+
+def _extreme(pieces: Array, samples: Array, sign: float) -> float:
+    """Largest value (1) or smallest (−1), by Newton's method from the most extreme of the samples."""
+    at = int(np.argmax(sign * samples))
+    piece, place = divmod(at, samples.shape[1])
+    curve: list[float] = pieces[piece].tolist()
+    slope = [order * one for order, one in enumerate(curve)][1:]
+    bend = [order * one for order, one in enumerate(slope)][1:]
+    x = float(_PLACES[place])
     for _ in range(6):
-        x = float(np.clip(x - slope(x) / slope.deriv()(x), -1.0, 1.0))
-    return float(sign * max(sign * curve(x), samples[piece, place]))
+        turn = _value(bend, x)
+        x = min(max(x - _value(slope, x) / turn, -1.0), 1.0) if turn else x
+    return sign * max(sign * _value(curve, x), sign * float(samples[piece, place]))
+
+
+def _value(polynomial: list[float], x: float) -> float:
+    """Value of a polynomial, the constant first."""
+    found = 0.0
+    for one in reversed(polynomial):
+        found = found * x + one
+    return found

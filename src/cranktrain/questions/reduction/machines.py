@@ -18,6 +18,7 @@ from cranktrain.questions.evenness.spec import GivenFlywheel
 from cranktrain.questions.forces.events import ForceEvents, friction_kinks, with_kinks, with_rows
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.gas.chambers import Filling, GasInChambers
+from cranktrain.questions.reduction.at_angles import extremes_over_turn
 from cranktrain.questions.reduction.curve_pieces import curve_pieces
 from cranktrain.questions.reduction.smooth import smooth_pieces
 from cranktrain.record import record
@@ -112,7 +113,7 @@ def reduced_machines(
             ReducedMachine(
                 own.reshape(len(own), -1),
                 *_loads(loaded, ways, on_shaft, curves, design, crank_angle),
-                *_chambers(loaded.gas, first_volume, design),
+                *_chambers(loaded.gas, own, first_volume, design),
             )
             for design, own in enumerate(pieces)
         ),
@@ -247,13 +248,14 @@ def _table(rows: Sequence[tuple[Any, ...]], width: int) -> Array:
     return np.array(rows, dtype=float).reshape(-1, width)
 
 
-def _chambers(gas: GasInChambers | None, first_volume: int, design: int) -> tuple[Array, Array]:
+def _chambers(gas: GasInChambers | None, pieces: Array, first_volume: int, design: int) -> tuple[Array, Array]:
     """Chambers of compressors of one design, and room for what they remember."""
     rows: list[ReducedChamber] = []
     fillings = [] if gas is None else [(gas.chambers, filling) for filling in gas.filled_with("compressor")]
     for chambers, filling in fillings:
         for place in filling.places.tolist():
             own: Compressor = filling.of_chamber(design, place)
+            largest, smallest = extremes_over_turn(pieces[:, first_volume + len(rows)])
             rows.append(
                 ReducedChamber(
                     volume=first_volume + len(rows),
@@ -262,6 +264,8 @@ def _chambers(gas: GasInChambers | None, first_volume: int, design: int) -> tupl
                     compression_exponent=_only(own.compression_exponent),
                     expansion_exponent=_only(own.expansion_exponent),
                     ambient=_only(chambers.ambient[design, place]),
+                    largest=largest,
+                    smallest=smallest,
                 )
             )
     return _table(rows, len(ReducedChamber._fields)), np.zeros((len(rows), 2))

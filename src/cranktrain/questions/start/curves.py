@@ -124,9 +124,18 @@ def _loops_of(kernels: Kernels, is_compiled: bool) -> _Loops:
     return _Loops(quick(loads), quick(torques)) if is_compiled else _Loops(loads, torques)
 
 
-def close_times(case: StartCase, steps: list[tuple[float, float]], *, is_compiled: bool = False) -> Array:
-    """Times at which steps end, and closer ones where the motor's torque changes quickly. [s]"""
-    time, speed = np.array(steps).T
+def close_times(case: StartCase, steps: Array, *, is_compiled: bool = False) -> Array:
+    """Times at which steps end, and closer ones where the motor's torque changes quickly. [s]
+
+    Parameters
+    ----------
+    case : StartCase
+    steps : Array, shape (n, 2)
+        Time and speed of the crank where each ends. [s, rad/s]
+    is_compiled : bool, optional
+        With Numba.
+    """
+    time, speed = steps.T
     torque = motor_torque(case, time, speed, is_compiled=is_compiled)
     changes = np.abs(np.diff(torque)) > _QUICKLY * np.max(np.abs(torque))
     # A step over the top of the curve may end as high as it began: those beside a quick change are looked into, too.

@@ -6,6 +6,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from cranktrain.motion import Array
 from cranktrain.questions.start.case import Braking, StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import numbers_from
 from cranktrain.transient.corners import few_ahead
@@ -31,7 +32,7 @@ class Runs(Protocol):
         *,
         is_compiled: bool,
         progress: Progress | None,
-        ends: list[tuple[float, float]] | None,
+        ends: list[Array] | None,
     ) -> TransientRun:
         """See `runs.run`."""
         ...

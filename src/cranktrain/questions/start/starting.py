@@ -92,12 +92,12 @@ def start_run(ready: ReadyStarts, parts: MovingParts, asked: StartAsked) -> Star
 def run_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool = False) -> StartRun:
     """Run a start: once to find its end, and once more for the states on the way."""
     progress = asked_for.progress
-    steps, method = list[tuple[float, float]](), method_of(case, is_compiled=is_compiled)
+    steps, method = list[Array](), method_of(case, is_compiled=is_compiled)
     first = list(_runs(case, method, _NO_TIMES, np.inf, progress, steps))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
     asked = wanted_times(asked_for, case.start.interval, case.interval_text, end)
-    close = close_times(case, steps, is_compiled=method.is_compiled)
+    close = close_times(case, np.concatenate(steps), is_compiled=method.is_compiled)
     samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close]))
     again = list(_runs(case, method, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, again, last.reason, asked, is_compiled=method.is_compiled)
@@ -132,7 +132,7 @@ def _runs(
     samples: Array,
     end: float,
     progress: Progress | None,
-    steps: list[tuple[float, float]] | None = None,
+    steps: list[Array] | None = None,
 ) -> Iterator[tuple[_Span, TransientRun]]:
     """Run span by span, each from where the last one ended, until one ends for a reason of its own.
 
@@ -152,11 +152,11 @@ def _runs(
             numbers = numbers_from(span.machine, angle, filled, is_compiled=is_compiled)
         filled = math.nan
         asked = _wanted(case, span, angle, speed, samples)
-        own = None if steps is None else list[tuple[float, float]]()
+        own = None if steps is None else list[Array]()
         telling = _from(span.start, progress)
         found = run(kernels, _train(case, span, numbers), asked, is_compiled=is_compiled, progress=telling, ends=own)
         if steps is not None and own is not None:
-            steps += [(span.start + time, reached) for time, reached in own]
+            steps += [ends + np.array([span.start, 0.0]) for ends in own]
         yield span, found
         is_over = found.reason == endings.TIME_OUT
         now = span.end if is_over else span.start + found.end_time
