@@ -9,7 +9,6 @@ from cranktrain.cli.naming_pictures import NamingPictures
 from cranktrain.cli.options import (
     AllTables,
     At,
-    AtTimes,
     Checks,
     CurveTable,
     Decimal,
@@ -28,13 +27,12 @@ from cranktrain.cli.options import (
     RunningSpeed,
     Settings,
     SpeedCurve,
-    StartOutput,
     Units,
     Why,
     degrees,
     listed,
 )
-from cranktrain.cli.several import add_compare, add_sweep
+from cranktrain.cli.several import add_compare, add_start, add_sweep
 from cranktrain.cli.task import Task, commands_of, put_off, task_of
 from cranktrain.cli.texts import add_textbook
 from cranktrain.cli.tools import add_tools
@@ -224,47 +222,7 @@ def _run(
 
 add_compare(_app)
 add_sweep(_app)
-
-
-@_app.command(
-    "start",
-    help=N_(
-        "Run a machine with its motor over time: start, stall, coasting or braking, as [drive.start] says.\n\n"
-        "\b\n"
-        "  cranktrain start tilting_table\n"
-        '  cranktrain start tilting_table --set "drive.start.angle=60 deg"\n'
-        "  cranktrain start tilting_table --at 0,0.1..1\n"
-        "  cranktrain start tilting_table -o start.csv\n"
-        "  cranktrain start tilting_table -o start.png"
-    ),
-)
-@put_off
-def _start(
-    file: File,
-    output: StartOutput = None,
-    settings: Settings = None,
-    at: AtTimes = None,
-    why: Why = None,
-    decimal: Decimal = "point",
-    full: Annotated[bool, typer.Option("--full", help=N_("Show every event."))] = False,
-    units: Units = None,
-    force: Force = False,
-) -> None:
-    from cranktrain.cli.start import StartRequest, show_start
-
-    show_start(
-        StartRequest(
-            file=file,
-            settings=tuple(settings or ()),
-            output=output,
-            force=force,
-            units=units,
-            decimal=decimal,
-            full=full,
-            at=at,
-            why=why,
-        )
-    )
+add_start(_app)
 
 
 @_app.command(

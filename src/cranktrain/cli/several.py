@@ -1,12 +1,33 @@
-"""What may be typed after `compare` and `sweep`: several machines, or several designs of one."""
+"""What may be typed after `compare`, `sweep` and `start`: several machines, or several designs of one."""
 
 from typing import Annotated
 
 import typer
 
-from cranktrain.cli.options import Decimal, File, Force, Partial, Quantities, Settings, Units, Why, listed
+from cranktrain.cli.options import (
+    AtTimes,
+    Decimal,
+    File,
+    Force,
+    Partial,
+    Quantities,
+    Settings,
+    StartOutput,
+    Units,
+    Why,
+    listed,
+)
 from cranktrain.cli.task import put_off
 from cranktrain.language import N_
+
+Vary = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--vary",
+        metavar="PATH=VALUES",
+        help=N_("What is varied: 130..160 mm:31, or 1000, 1500 rpm, or words; as often as needed."),
+    ),
+]
 
 
 def add_compare(app: typer.Typer) -> None:
@@ -85,14 +106,7 @@ def add_sweep(app: typer.Typer) -> None:
     @put_off
     def _sweep(
         file: File,
-        vary: Annotated[
-            list[str] | None,
-            typer.Option(
-                "--vary",
-                metavar="PATH=VALUES",
-                help=N_("What is varied: 130..160 mm:31, or 1000, 1500 rpm, or words; as often as needed."),
-            ),
-        ] = None,
+        vary: Vary = None,
         cases: Annotated[
             str | None,
             typer.Option(
@@ -164,5 +178,59 @@ def add_sweep(app: typer.Typer) -> None:
                 decimal=decimal,
                 units=units,
                 force=force,
+            )
+        )
+
+
+def add_start(app: typer.Typer) -> None:
+    """Add the command to the others."""
+
+    @app.command(
+        "start",
+        help=N_(
+            "Run a machine with its motor over time: start, stall, coasting or braking, as [drive.start] says.\n\n"
+            "\b\n"
+            "  cranktrain start tilting_table\n"
+            '  cranktrain start tilting_table --set "drive.start.angle=60 deg"\n'
+            "  cranktrain start tilting_table --at 0,0.1..1\n"
+            "  cranktrain start tilting_table -o start.csv\n"
+            "  cranktrain start tilting_table -o start.png\n"
+            "  cranktrain start tilting_table --vary drive.stage[0].ratio=30..50:5 --wanted start_duration"
+        ),
+    )
+    @put_off
+    def _start(
+        file: File,
+        output: StartOutput = None,
+        settings: Settings = None,
+        at: AtTimes = None,
+        why: Why = None,
+        vary: Vary = None,
+        wanted: Annotated[
+            str | None,
+            typer.Option(metavar="A,B,…", help=N_("With --vary: these facts; how long, torques, heat unless given.")),
+        ] = None,
+        yes: Annotated[bool, typer.Option("--yes", help=N_("With --vary: however long it takes."))] = False,
+        decimal: Decimal = "point",
+        full: Annotated[bool, typer.Option("--full", help=N_("Show every event."))] = False,
+        units: Units = None,
+        force: Force = False,
+    ) -> None:
+        from cranktrain.cli.start import StartRequest, show_start
+
+        show_start(
+            StartRequest(
+                file=file,
+                settings=tuple(settings or ()),
+                output=output,
+                force=force,
+                units=units,
+                decimal=decimal,
+                full=full,
+                at=at,
+                why=why,
+                vary=tuple(vary or ()),
+                wanted=None if wanted is None else listed(wanted),
+                is_meant=yes,
             )
         )

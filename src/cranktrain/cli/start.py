@@ -36,10 +36,19 @@ class StartRequest(Asked):
     full: bool = False
     at: str | None = None
     why: str | None = None
+    vary: tuple[str, ...] = ()
+    wanted: tuple[str, ...] | None = None
+    is_meant: bool = False
 
 
 def show_start(request: StartRequest) -> None:
-    """Run, write and show."""
+    """Run, write and show; of several designs their facts."""
+    if request.vary:
+        _show_sweep(request)
+        return
+    given = {"--wanted": request.wanted is not None, "--yes": request.is_meant}
+    needed = _("needs --vary PATH=VALUES: it is for starts of several designs")
+    refuse(Problem(option, None, needed) for option, is_given in given.items() if is_given)
     refuse_beside(request.why, (request.output is not None, request.full, request.at))
     form = None if request.output is None else form_or_picture(request.output, request.decimal)
     asked = units_asked_for(request.units)
@@ -64,6 +73,29 @@ def show_start(request: StartRequest) -> None:
             show_page(title(file.machine), [ShownSection(_("Start"), (_at_times(found),))])
         else:
             show_page(title(file.machine), _shown(found, is_full=request.full))
+
+
+def _show_sweep(request: StartRequest) -> None:
+    """Show facts of starts over what is varied, as `sweep --start` does."""
+    from cranktrain.cli.sweep import SweepRequest, show_sweep  # only where something is varied
+
+    given = {"--at": request.at is not None, "--why": request.why is not None, "--full": request.full}
+    alone = _("is of one start, and does not go with --vary")
+    refuse(Problem(option, None, alone) for option, is_given in given.items() if is_given)
+    show_sweep(
+        SweepRequest(
+            file=request.file,
+            settings=request.settings,
+            output=request.output,
+            force=request.force,
+            units=request.units,
+            vary=request.vary,
+            wanted=request.wanted,
+            over_time=True,
+            is_meant=request.is_meant,
+            decimal=request.decimal,
+        )
+    )
 
 
 def _times(text: str) -> list[float]:
