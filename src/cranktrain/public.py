@@ -4,7 +4,7 @@ from collections.abc import Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial as with_arguments
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, cast, overload
 
 from cranktrain import analysis
 from cranktrain.analysis import Result
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from cranktrain.io.any_machine import MachineLike
     from cranktrain.panels.drawing import MachineDrawing
     from cranktrain.study.start import Start
+    from cranktrain.study.starts import Starts
     from cranktrain.study.sweep import Sweep
     from cranktrain.transient.runs import Progress
 
@@ -85,45 +86,72 @@ def run(
         return replace(found(machines[0]), asked=asked)
 
 
+@overload
 def start(
     machine: "MachineLike",
     *,
+    set: "Mapping[str, object] | None" = None,
+    progress: "Progress | None" = None,
+) -> "Start": ...
+
+
+@overload
+def start(machine: "Sequence[MachineLike]", *, set: "Mapping[str, object] | None" = None) -> "Starts": ...
+
+
+def start(
+    machine: "MachineLike | Sequence[MachineLike]",
+    *,
     set: "Mapping[str, object] | None" = None,  # noqa: A002 - as the terminal's --set
     progress: "Progress | None" = None,
-) -> "Start":
-    """Run a machine with its motor over time, as its table [drive.start] says.
+) -> "Start | Starts":
+    """Run a machine with its motor over time, as its table [drive.start] says; or several designs of it.
 
     Parameters
     ----------
-    machine : str, path-like, dict or Machine
-        As `run` takes it; with [drive].
+    machine : str, path-like, dict or Machine, or a sequence of these
+        As `run` takes it; with [drive]. Several differ in numbers alone.
     set : mapping of str, optional
-        Other values by path, as `Machine.with_` takes them.
+        Other values by path, as `Machine.with_` takes them; for all of several.
     progress : callable, optional
         Told the time, the crank angle and the speed that the run has come to; with it Ctrl-C ends the run, and what was
-        computed so far is kept. [s, rad, rad/s]
+        computed so far is kept. Of one machine alone. [s, rad, rad/s]
 
     Returns
     -------
-    Start
-        Its `time` and curves by name, `events`, `rows()` and `dataset`.
+    Start or Starts
+        Its `time` and curves by name, `events`, `rows()` and `dataset`. Of several the facts of each by name, arrays
+        along the designs, NaN and a sentence in `refused` where one cannot start; `found[2]` is the start of one with
+        its curves. Many are run compiled where Numba is installed (`pip install 'cranktrain[fast]'`), to the same
+        numbers.
 
     Raises
     ------
     InputError
-        With everything that is wrong with the machine, or what it lacks for a start.
+        With everything that is wrong with the machine, or what it lacks for a start; of several where they differ in
+        more than numbers, or none can start.
 
     Examples
     --------
     >>> found = start("tilting_table", set={"drive.start.duration": "0.5 s"})
     >>> found.motor_torque.shape == found.time.shape
     True
+    >>> from cranktrain import load
+    >>> table = load("tilting_table")
+    >>> both = start([table.with_({"drive.stage[0].ratio": ratio}) for ratio in (30, 40)])
+    >>> [round(float(seconds), 2) for seconds in both.start_duration]
+    [4.16, 4.91]
     """
     from cranktrain.study.start import start as run_over_time
 
-    source = sources_of(machine, set, partial=False)[0][0]
-    with problems_as(source.placed):
-        return run_over_time(source.machine, progress=progress)
+    sources, are_several = sources_of(machine, set, partial=False)
+    if are_several:
+        from cranktrain.study.starts import starts  # only where there are several
+
+        refuse([] if progress is None else [Problem("progress", None, _("is told of one machine alone"))])
+        return starts([source.machine for source in sources], placed=[source.placed for source in sources])
+    with problems_as(sources[0].placed):
+        return run_over_time(sources[0].machine, progress=progress)
 
 
 def sweep(

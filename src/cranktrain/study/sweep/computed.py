@@ -11,6 +11,7 @@ from cranktrain.how_far import say_how_far
 from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.paths import path_text, quantity_path
+from cranktrain.study.facts_of_starts import is_numba_there
 from cranktrain.study.sweep.blocks import Blocks, blocks_of, rows_between, shape_of
 from cranktrain.study.sweep.crew import Alone, Compute, Crew, Rows, in_order, killed
 from cranktrain.study.sweep.facts import FactsOfRows, facts_of_rows, joined_rows, rows_of
@@ -34,8 +35,8 @@ _MOST = 10_000_000
 """Designs in memory at once."""
 _LONG = 60.0
 """From when on somebody has to say that it is meant. [s]"""
-_WORTH = 6.0
-"""From when on more processes are worth their start. [s]"""
+_WORTH, _WORTH_COMPILING = 6.0, 60.0
+"""From when on more processes are worth their start; of starts each has to compile them. [s]"""
 _CREW_OF_BLOCK = 4
 """So many processes hand blocks of the least size back without waiting for who keeps them."""
 
@@ -103,7 +104,8 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
         raise InputError([_long(len(designs), seconds / processes)])
     if tried.after - tried.first == len(designs):
         _refuse_all(tried.found, len(designs))
-    n_at_once = processes if seconds > _WORTH else 1
+    worth = _WORTH_COMPILING if plan.over_time and is_numba_there() else _WORTH
+    n_at_once = processes if seconds > worth else 1
     if blocks is None:
         blocks = blocks_of(shape_of(designs), _designs_of_block(tried.each, n_at_once, len(designs)))
         missing = list(range(len(blocks)))

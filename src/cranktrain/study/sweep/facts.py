@@ -15,7 +15,8 @@ from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.checks import Flag
 from cranktrain.saying.run import Run
-from cranktrain.study.starts import Starts, facts_of_starts
+from cranktrain.study.facts_of_starts import facts_of_starts
+from cranktrain.study.starts import Starts
 from cranktrain.study.sweep.designs import designs_in_columns
 from cranktrain.study.sweep.varied import SweptDesigns, rows_listed
 

@@ -10,9 +10,9 @@ from cranktrain.machine import Machine
 from cranktrain.quantities import nearest
 from cranktrain.saying.run import Run
 from cranktrain.study.start import start
+from cranktrain.study.starts import FACTS_SHOWN
 
 _SUGGESTED = 4
-_OF_START = ("start_duration", "largest_motor_torque", "effective_motor_torque", "final_motor_heat")
 
 
 def facts_wanted(machine: Machine, wanted: Sequence[str] | None, *, over_time: bool = False) -> tuple[str, ...]:
@@ -25,7 +25,7 @@ def facts_wanted(machine: Machine, wanted: Sequence[str] | None, *, over_time: b
     """
     result: Run = start(machine) if over_time else run(machine)
     if wanted is None:
-        named = headline_names([result]) if isinstance(result, Result) else _OF_START
+        named = headline_names([result]) if isinstance(result, Result) else FACTS_SHOWN
         return tuple(name for name in named if not result.is_curve(result.catalogue[name]))
     absent = _("is no result of its start") if over_time else _("is no result of this machine")
     problems: list[Problem] = []
