@@ -1,0 +1,102 @@
+"""Starts of several designs: each to the last bit as it is alone, plain and compiled; what cannot be, at its place."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.study import facts_of_starts as road
+
+RATIO = "drive.stage[0].ratio"
+
+
+def designs(name, *values):
+    machine = ct.load(name)
+    return [machine.with_(one) for one in values]
+
+
+def held_to_each_alone(found):
+    """Every fact of every design, and every event, is that of the design alone."""
+    for design, machine in enumerate(found.machines):
+        alone = ct.start(machine)
+        assert str(found.reasons[design]) == str(alone.run.reason)
+        for name, entry in found.catalogue.items():
+            values, own = getattr(found, name)[design], getattr(alone, name)
+            if entry.dimensions:
+                own_labels = [found.labels["event"].index(label) for label in alone.labels["event"]]
+                np.testing.assert_array_equal(values[own_labels], own, err_msg=name)
+                assert np.isnan(np.delete(values, own_labels)).all()
+            else:
+                np.testing.assert_array_equal(values, own, err_msg=name)
+
+
+def test_facts_stand_along_designs_and_curves_come_when_asked():
+    """One runs up, one stalls; neither is kept but for its facts."""
+    found = ct.start(designs("tilting_table", {RATIO: 40}, {RATIO: 10}))
+    assert found.start_duration.shape == (2,)
+    assert found.dataset.start_duration.dims == ("design",)
+    assert found.event_time.shape == (2, len(found.labels["event"]))
+    held_to_each_alone(found)
+    np.testing.assert_array_equal(found[1].crank_speed, ct.start(found.machines[1]).crank_speed)
+    assert "1 of 2 starts: it stands still" in str(found.page())
+    assert len(pickle.dumps(found.found)) < 20_000  # curves of one alone are a hundred times as much
+
+
+def test_strokes_of_a_press():
+    """Whose longest stop is looked for as it is of one alone."""
+    values = ({}, {"drive.part.flywheel.inertia": "12 kg·m²"})
+    found = ct.start(designs("high_slip_press", *values))
+    held_to_each_alone(found)
+    assert {"slip_time", "longest_stop_time"} <= set(found.catalogue)
+
+
+def test_what_cannot_be_is_a_sentence_at_its_place():
+    """A crank that cannot turn, and a motor that reaches what nobody can: the others are computed."""
+    fit, open_, other = designs("tilting_table", {RATIO: 40}, {RATIO: 40, "mechanism.crank_radius": "5 m"}, {RATIO: 30})
+    found = ct.start([fit, open_, other])
+    assert list(found.refused) == [1]
+    assert found.refused[1].path == "mechanism.rod_length"
+    assert np.isnan(found.start_duration[1])
+    assert found.reasons[1] == ""
+    assert found.start_duration[[0, 2]].tolist() == [ct.start(one).start_duration for one in (fit, other)]
+    assert "design 2: mechanism.rod_length" in str(found.page())
+    with pytest.raises(ct.InputError, match="rod_length"):
+        ct.start([open_, open_])
+
+
+def test_a_pressure_that_no_valve_leaves_is_refused_alone():
+    """What is found only when a design is made ready does not stop the others either."""
+    pressures = ({"drive.start.gas_pressure": "3 bar"}, {"drive.start.gas_pressure": "30 bar"})
+    found = ct.start(designs("compressor_start", *pressures))
+    assert list(found.refused) == [1]
+    assert found.refused[1].path == "drive.start.gas_pressure"
+    assert found.start_duration[0] == ct.start(found.machines[0]).start_duration
+
+
+def test_only_numbers_may_differ():
+    with pytest.raises(ct.InputError, match="may differ in numbers alone"):
+        ct.start(["tilting_table", "jaw_crusher"])
+    with pytest.raises(ct.InputError, match="at least one"):
+        ct.start([])
+    with pytest.raises(ct.InputError, match="one machine alone"):
+        ct.start(["tilting_table"], progress=print)
+    with pytest.raises(ct.InputError, match="a start needs what drives the crank"):
+        ct.start(["eccentric_press", "eccentric_press"])
+
+
+def test_compiled_they_are_the_same_to_the_last_bit(monkeypatch):
+    """Loaded on the way, held and let go by a starter, stalled, plugged; more than there are threads."""
+    pytest.importorskip("numba")
+    monkeypatch.setattr(road, "_COMPILING", 0.0)
+    wheel = "drive.part.flywheel.inertia"
+    star = {"drive.motor.starter.kind": "star_delta", "drive.motor.starter.change_time": "1 s"}
+    for name, values in (
+        ("compressor_start", [{wheel: f"{inertia} kg*m^2"} for inertia in (0.08, 0.05, 0.06, 0.1, 0.2)]),
+        ("compressor_start", [{"drive.start.unloaded_until": f"{until} s"} for until in (0.5, 0.1, 0.3)]),
+        ("compressor_start", [{"drive.start.motor_reversed": f"{at} s"} for at in (1.0, 0.9, 0.2)]),
+        ("tilting_table", [{RATIO: ratio} for ratio in (30, 10, 40)]),
+        ("compressor_start", [{wheel: f"{inertia} kg*m^2", **star} for inertia in (0.08, 0.05, 0.3)]),
+    ):
+        held_to_each_alone(ct.start(designs(name, *values)))
+    assert road._compiled
