@@ -21,6 +21,7 @@ from steps import ready_stages
 import cranktrain as ct
 from cranktrain.analysis import every_stage
 from cranktrain.saying.catalogue import entries
+from cranktrain.study.facts_of_starts import facts_of_starts
 from cranktrain.study.sweep.designs import designs_in_columns
 from cranktrain.study.sweep.varied import combined_designs
 
@@ -59,8 +60,10 @@ LIMITS = {
     ("vaz_21213", "200 designs"): 1.2,
     ("burning_cylinder", "columns"): 5.0,
     ("3d12", "columns"): 34.0,
+    ("compressor_start", "1000 starts"): 100.0,
 }
-"""Twice what was reached, in parts of the yardstick's time; of processes, of crankshafts and of 200 designs, of another way's.
+"""Twice what was reached, in parts of the yardstick's time; of processes, crankshafts, 200 designs and starts, of another
+way's.
 
 Of `run` and `check` as processes 1.4 to 1.7 times what was reached, 2.4, 1.7 and 2.2.
 """
@@ -81,6 +84,8 @@ ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1"}
 """As the terminal has it: threads of BLAS that only wait take half as much again as the imports."""
 FEW, TIMES, STEP = 50, 4, 30.0
 """Designs of a run; as many runs of so few as one of all; the step of their crank angles. [1, 1, °]"""
+WHEEL, WHEELS, N_STARTS, ALONE = "drive.part.flywheel.inertia", (0.05, 0.15), 1000, 10
+"""What differs in starts, from one end to the other [kg·m²]; how many; how many of them are run alone."""
 LEAST_TIME = 0.02
 """Of a piece of work, which is done as often as fills it. [s]"""
 
@@ -217,6 +222,19 @@ def _in_columns(machine, designs):
     return designs_in_columns(machine, designs, 0, len(designs))
 
 
+def of_starts(example):
+    """Times of all starts as users ask for them, compiled, and of one alone, plain; without what compiles; once. [s]"""
+    machine = ct.load(example)
+    wheels = np.linspace(*WHEELS, N_STARTS).tolist()
+    designs = [machine.with_({WHEEL: f"{inertia!r} kg*m^2"}) for inertia in wheels]
+    facts_of_starts(designs[:3], n_all=10 * N_STARTS)  # which compiles
+    start = process_time()
+    ct.start(designs)
+    whole = process_time() - start
+    alone = [timed(lambda design=design: ct.start(design)) for design in designs[:: N_STARTS // ALONE]]
+    yield whole, statistics.median(alone)
+
+
 def pairs_of(name, what, environment, n_pairs):
     """Times of a row's work and of what it is measured by. [s]"""
     if what == "process":
@@ -225,6 +243,8 @@ def pairs_of(name, what, environment, n_pairs):
         return of_crankshaft(name, n_pairs)
     if what == "columns":
         return of_columns(name, n_pairs)
+    if what.endswith("starts"):
+        return of_starts(name)
     return of_designs(name) if what == "200 designs" else of_run(name, what, n_pairs)
 
 
