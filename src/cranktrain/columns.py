@@ -146,7 +146,19 @@ def n_rows(spec: Spec) -> int:
 
 def row_of(spec: SpecType, design: int) -> SpecType:
     """Give the table of one design of those that stand together in one."""
-    return cast("SpecType", _row_of(spec, design))
+    return cast("SpecType", _changed(spec, lambda one: _number_of(one, design)))
+
+
+def some_rows(spec: SpecType, rows: slice) -> SpecType:
+    """Give some of the designs that stand together in a table, together."""
+    return cast("SpecType", _changed(spec, lambda one: _some_of(one, rows)))
+
+
+def _some_of(given: Given, rows: slice) -> Given:
+    if given.column is None:
+        return given
+    column = given.column[rows]
+    return replace(given, si=float(column[0]), column=column)
 
 
 def _columns(value: object) -> Iterator[Array]:
@@ -161,15 +173,20 @@ def _columns(value: object) -> Iterator[Array]:
             yield from _columns(item)
 
 
-def _row_of(value: Any, design: int) -> Any:
+def _number_of(given: Given, design: int) -> Given:
+    return given if given.column is None else replace(given, si=float(given.column[design]), column=None)
+
+
+def _changed(value: Any, change: Callable[[Given], Given]) -> Any:
+    """Copy a table with every quantity changed."""
     if isinstance(value, Given):
-        return value if value.column is None else replace(value, si=float(value.column[design]), column=None)
+        return change(value)
     if isinstance(value, Spec):
-        return _copied(value, lambda name: _row_of(getattr(value, name), design))
+        return _copied(value, lambda name: _changed(getattr(value, name), change))
     if isinstance(value, Mapping):
-        return {name: _row_of(item, design) for name, item in cast("Mapping[str, Any]", value).items()}
+        return {name: _changed(item, change) for name, item in cast("Mapping[str, Any]", value).items()}
     if isinstance(value, tuple):
-        return tuple(_row_of(item, design) for item in cast("tuple[Any, ...]", value))
+        return tuple(_changed(item, change) for item in cast("tuple[Any, ...]", value))
     return value
 
 

@@ -6,6 +6,7 @@ What those give, largest torques, pressures, forces, how evenly it runs, is foun
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -79,6 +80,11 @@ class Way(NamedTuple):
     from_loop: tuple[type, ...]
     asks: frozenset[str]
 
+    @property
+    def keeps_points(self) -> bool:
+        """Whether points of the cycle are kept, of which others make more: that takes milliseconds a design."""
+        return "points" in self.asks
+
 
 class FactsOfCycles(NamedTuple):
     """Facts of designs by the compiled cycle.
@@ -110,6 +116,8 @@ def way_to(machine: Machine, wanted: Sequence[str]) -> Way | Words:
     wanted : sequence of str
         Names of facts.
     """
+    if find_spec("numba") is None:
+        return _("Numba is not installed: pip install 'cranktrain[fast]'")
     stages = stages_of(machine.asks, machine.kinds)
     parts = parts_together(machine, [machine.design], step=FACTS_STEP)
     if (reason := _out_of_reach(parts)) is not None:

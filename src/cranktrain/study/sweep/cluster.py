@@ -9,7 +9,7 @@ from typing import Any
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.study.sweep.crew import Compute, Rows
+from cranktrain.study.sweep.crew import Compute, Span
 from cranktrain.study.sweep.facts import FactsOfRows
 
 _ANSWERS = 10.0
@@ -27,7 +27,7 @@ class Cluster(AbstractContextManager["Cluster"]):
     Parameters
     ----------
     compute : callable
-        What makes facts of rows; each task has it with it, so that a worker that joins later needs nothing else.
+        What makes facts of a span of designs; each task has it with it, so that a worker that joins later needs nothing else.
     scheduler : str or distributed.Client
         Its address, `tcp://HOST:8786`; or whoever knows it, who is left open.
 
@@ -61,9 +61,9 @@ class Cluster(AbstractContextManager["Cluster"]):
             with suppress(Exception), _silent():
                 self._client.close(timeout=_LOOK)
 
-    def take(self, number: int, rows: Rows) -> None:
+    def take(self, number: int, span: Span) -> None:
         """Hand a block over."""
-        future = self._client.submit(_computed, self._compute, rows, pure=False)
+        future = self._client.submit(_computed, self._compute, span, pure=False)
         self._futures[future] = number
         future.add_done_callback(self._done.put)
 
@@ -137,7 +137,7 @@ def _distributed() -> Any:
     return distributed
 
 
-def _computed(compute: Compute, rows: Rows) -> FactsOfRows:
+def _computed(compute: Compute, span: Span) -> FactsOfRows:
     """Compute a block on a worker, one at a time in each process, however many threads it has."""
     with _one_at_a_time:
-        return compute(rows)
+        return compute(span)

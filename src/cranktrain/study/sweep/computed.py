@@ -12,9 +12,9 @@ from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.paths import path_text, quantity_path
 from cranktrain.study.facts_of_starts import is_numba_there
-from cranktrain.study.sweep.blocks import Blocks, blocks_of, rows_between, shape_of
-from cranktrain.study.sweep.crew import Alone, Compute, Crew, Rows, in_order, killed
-from cranktrain.study.sweep.facts import FactsOfRows, facts_of_rows, joined_rows, rows_of
+from cranktrain.study.sweep.blocks import Blocks, blocks_of, shape_of
+from cranktrain.study.sweep.crew import Alone, Compute, Crew, Span, in_order, killed
+from cranktrain.study.sweep.facts import FactsOfRows, FactsOfSweep, joined_rows, rows_of
 from cranktrain.study.sweep.kept import InMemory, Plan, Store
 from cranktrain.study.sweep.sweep import Sweep
 from cranktrain.study.sweep.varied import SweptDesigns, combined_designs, listed_designs, names_apart, path_meant
@@ -22,6 +22,8 @@ from cranktrain.study.sweep.wanted import facts_wanted
 
 _TRIED, _GROWTH = 4, 8
 """Designs by which it is found how long one takes; so many times more next, until that can be measured."""
+_TRIED_COMPILED = 64
+"""Designs by which that is found of a compiled cycle."""
 _MEASURED = 0.025
 """What can be measured. [s]"""
 _BLOCK_SECONDS, _SLOW_BLOCK_SECONDS = 0.2, 2.0
@@ -92,12 +94,13 @@ def swept(
 def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_meant: bool) -> Sweep:
     """Compute what a store has not."""
     designs = plan.designs
-    compute = partial(facts_of_rows, plan.machine, wanted=plan.wanted, over_time=plan.over_time, n_all=len(designs))
+    compute = FactsOfSweep(plan.machine, designs, plan.wanted, plan.over_time)
     blocks = store.opened(plan)
     missing = [] if blocks is None else [number for number in range(len(blocks)) if number not in store.done]
     if blocks is not None and not missing:
         return Sweep(plan.machine, designs, store.found())
-    tried = _tried(compute, designs, *((0, len(designs)) if blocks is None else blocks.span(missing[0])))
+    n_tried = _TRIED_COMPILED if compute.is_compiled else _TRIED
+    tried = _tried(compute, n_tried, *((0, len(designs)) if blocks is None else blocks.span(missing[0])))
     n_left = len(designs) if blocks is None else sum(after - first for first, after in map(blocks.span, missing))
     seconds = (n_left - len(tried.found.refused)) * tried.each
     if not is_meant and scheduler is None and seconds / processes > _LONG:
@@ -163,16 +166,16 @@ class _Tried(NamedTuple):
         return rows_of(self.found, first - self.first, min(after, self.after) - self.first)
 
 
-def _tried(compute: Compute, designs: SweptDesigns, first: int, after: int) -> _Tried:
+def _tried(compute: Compute, n_first: int, first: int, after: int) -> _Tried:
     """Compute some designs, more and more at once, until it is known how long one takes; `after` is not among them."""
     parts: list[FactsOfRows] = []
-    place, n_next, each, seconds = first, _TRIED, 0.0, 0.0
+    place, n_next, each, seconds = first, n_first, 0.0, 0.0
     while place < after and seconds < _MEASURED:
-        rows = list(rows_between(designs, place, min(place + n_next, after)))
+        end = min(place + n_next, after)
         since = perf_counter()
-        parts.append(compute(rows))
+        parts.append(compute((place, end)))
         seconds = perf_counter() - since
-        place, each = place + len(rows), seconds / len(rows)
+        place, each = end, seconds / (end - place)
         if len(parts) == 1:  # it loads what the others have then
             seconds = 0.0
         else:
@@ -224,9 +227,9 @@ def _compute(
     def say() -> None:
         say_how_far(partial(_how_far, n_done, n_left, perf_counter() - since))
 
-    def each() -> Iterator[tuple[int, Rows]]:
+    def each() -> Iterator[tuple[int, Span]]:
         for number in left:
-            yield number, list(rows_between(designs, begins(number), spans[number][1]))
+            yield number, (begins(number), spans[number][1])
 
     with crew:
         for number, own in in_order(each(), crew, say):

@@ -1,6 +1,6 @@
 """Who computes blocks of designs: this process, others beside it, or a cluster; their facts come in order."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from typing import Protocol, TypeAlias
 
@@ -9,8 +9,9 @@ from cranktrain.how_far import listened_to
 from cranktrain.language import Words, _
 from cranktrain.study.sweep.facts import FactsOfRows
 
-Rows: TypeAlias = Sequence[Mapping[str, object]]
-Compute: TypeAlias = Callable[[Rows], FactsOfRows]
+Span: TypeAlias = tuple[int, int]
+"""Designs of a sweep, from one and up to another."""
+Compute: TypeAlias = Callable[[Span], FactsOfRows]
 
 TRIES = 3
 """So often a block is computed whose process is killed meanwhile: each time anew, by another one."""
@@ -26,7 +27,7 @@ class Crew(AbstractContextManager["Crew"], Protocol):
         """How many blocks may be handed over before one is finished."""
         ...
 
-    def take(self, number: int, rows: Rows) -> None:
+    def take(self, number: int, span: Span) -> None:
         """Take a block over."""
         ...
 
@@ -42,21 +43,21 @@ class Alone(AbstractContextManager["Alone"]):
 
     def __init__(self, compute: Compute) -> None:
         self._compute = compute
-        self._taken: list[tuple[int, Rows]] = []
+        self._taken: list[tuple[int, Span]] = []
 
     def __exit__(self, *_raised: object) -> None:
         self._taken.clear()
 
-    def take(self, number: int, rows: Rows) -> None:
+    def take(self, number: int, span: Span) -> None:
         """Take a block over."""
-        self._taken.append((number, rows))
+        self._taken.append((number, span))
 
     def finished(self) -> Iterator[tuple[int, FactsOfRows]]:
         """Compute what was taken over."""
         while self._taken:
-            number, rows = self._taken.pop(0)
+            number, span = self._taken.pop(0)
             with listened_to(_nobody):  # how far a block is says nothing beside how far all are
-                found = self._compute(rows)
+                found = self._compute(span)
             yield number, found
 
 
@@ -65,13 +66,13 @@ def _nobody(_words: object) -> None:
 
 
 def in_order(
-    blocks: Iterator[tuple[int, Rows]], crew: Crew, say: Callable[[], None] = lambda: None
+    blocks: Iterator[tuple[int, Span]], crew: Crew, say: Callable[[], None] = lambda: None
 ) -> Iterator[tuple[int, FactsOfRows | None]]:
     """Give the facts of blocks in the order of these; `say` is called before anybody is waited for.
 
     Parameters
     ----------
-    blocks : iterator of (int, rows)
+    blocks : iterator of (int, span)
         Taken as far as somebody computes them.
     crew : Crew
     say : callable

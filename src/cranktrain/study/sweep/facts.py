@@ -12,12 +12,14 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import Words
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.checks import Flag
 from cranktrain.saying.run import Run
 from cranktrain.study.facts_of_starts import facts_of_starts
 from cranktrain.study.starts import Starts
-from cranktrain.study.sweep.designs import designs_in_columns
+from cranktrain.study.sweep.compiled import facts_compiled, way_compiled
+from cranktrain.study.sweep.designs import DesignsInColumns, designs_in_columns
 from cranktrain.study.sweep.varied import SweptDesigns, rows_listed
 
 
@@ -76,6 +78,34 @@ def facts_of_rows(
     return facts_of_designs(machine, rows_listed(rows), 0, len(rows), wanted, over_time=over_time, n_all=n_all)
 
 
+@record
+class FactsOfSweep:
+    """What computes facts of designs of a sweep, here or elsewhere: called with a span of them, from and up to.
+
+    Attributes
+    ----------
+    machine : Machine
+    designs : SweptDesigns
+    wanted : tuple of str
+    over_time : bool
+    """
+
+    machine: Machine
+    designs: SweptDesigns
+    wanted: tuple[str, ...]
+    over_time: bool = False
+
+    def __call__(self, span: tuple[int, int]) -> FactsOfRows:
+        """Compute facts of the designs of a span."""
+        of = (self.machine, self.designs, *span, self.wanted)
+        return facts_of_designs(*of, over_time=self.over_time, n_all=len(self.designs))
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether the cycle of the machine is compiled for so many designs."""
+        return not self.over_time and way_compiled(self.machine, self.wanted, len(self.designs)) is not None
+
+
 def facts_of_designs(
     machine: Machine, designs: SweptDesigns, first: int, last: int, wanted: Sequence[str], *, over_time: bool = False, n_all: int | None = None
 ) -> FactsOfRows:
@@ -100,8 +130,12 @@ def facts_of_designs(
         refused[place] = block.refused.unsaid(place)
     together = _Gathered(len(refused))
     for group in block.groups:
-        places = group.places.tolist()
-        runs = _starts(places, group.each, wanted, refused, n_all) if over_time else _cycles(places, group.each, wanted, refused)
+        places, each = group.places.tolist(), group.each
+        if over_time:
+            runs = _starts(places, each, wanted, refused, n_all)
+        else:
+            left = together.take_compiled(group, wanted, n_all or 0)
+            runs = _cycles([places[one] for one in left], [each[one] for one in left], wanted, refused)
         for found, of in runs:
             together.take(found, of, wanted)
     return together.found(refused)
@@ -196,6 +230,21 @@ class _Gathered:
         for flag in run.flag_words if isinstance(run, Result) else ():
             for place, words in flag.own.items() if isinstance(flag, Flag) else ():
                 self.flags[places[place]] += (words,)
+
+    def take_compiled(self, group: DesignsInColumns, wanted: Sequence[str], n_all: int) -> Sequence[int]:
+        """Take what the compiled cycle gives of designs; give which of them are left to `run`."""
+        every = range(len(group.places))
+        if (way := way_compiled(group.each[0], wanted, n_all)) is None:
+            return every
+        found = facts_compiled(group, way)
+        if found is None:
+            return every
+        used = {dimension for entry in found.entries.values() for dimension in entry.dimensions}
+        labels = {dimension: found.labels[dimension] for dimension in sorted(used)}
+        known = np.flatnonzero(found.is_known)
+        values = {name: own[known] for name, own in found.values.items()}
+        self.add(found.entries, labels, values, group.places[known].tolist())
+        return np.flatnonzero(~found.is_known).tolist()
 
     def add(
         self,

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
-from cranktrain.study.sweep.crew import TRIES, Compute, Rows
+from cranktrain.study.sweep.crew import TRIES, Compute, Span
 from cranktrain.study.sweep.facts import FactsOfRows
 
 _GONE = 2.0
@@ -18,7 +18,7 @@ _GONE = 2.0
 
 class _Block(NamedTuple):
     number: int
-    rows: Rows
+    span: Span
 
 
 class _Worker:
@@ -46,7 +46,7 @@ class Processes(AbstractContextManager["Processes"]):
     Parameters
     ----------
     compute : callable
-        What makes facts of rows.
+        What makes facts of a span of designs.
     n_at_once : int
     """
 
@@ -68,9 +68,9 @@ class Processes(AbstractContextManager["Processes"]):
             worker.end()
         self._workers.clear()
 
-    def take(self, number: int, rows: Rows) -> None:
+    def take(self, number: int, span: Span) -> None:
         """Take a block over; a process is started where all have one."""
-        self._waiting.append(_Block(number, rows))
+        self._waiting.append(_Block(number, span))
         self._hand_out()
 
     def finished(self) -> list[tuple[int, FactsOfRows | None]]:
@@ -95,7 +95,7 @@ class Processes(AbstractContextManager["Processes"]):
             if self._waiting and worker.is_ready and worker.block is None:
                 worker.block = self._waiting.pop(0)
                 with suppress(OSError):  # one that is gone is seen by its end
-                    worker.connection.send(worker.block.rows)
+                    worker.connection.send(worker.block.span)
 
     def _n_at_work(self) -> int:
         return sum(worker.block is not None for worker in self._workers)
@@ -149,15 +149,15 @@ def _not_started(n_processes: int, why: object) -> InputError:
     return InputError([Problem("processes", str(n_processes), allowed, repair)])
 
 
-def _work(compute: Compute, connection: "Connection[object, Rows]") -> None:
+def _work(compute: Compute, connection: "Connection[object, Span]") -> None:
     """Compute what comes, until nobody is there any more."""
     signal(SIGINT, SIG_IGN)  # Ctrl-C is for who waits: it reaches all processes of a terminal
     with suppress(EOFError, ConnectionError, OSError):
         connection.send(None)
         while True:
-            rows = connection.recv()
+            span = connection.recv()
             try:
-                found: object = compute(rows)
+                found: object = compute(span)
             except Exception as error:  # is raised where it is waited for
                 found = error
             connection.send(found)
