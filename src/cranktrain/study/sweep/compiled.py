@@ -29,6 +29,11 @@ def way_compiled(machine: Machine, wanted: Sequence[str], n_all: int) -> Way | N
     return way if isinstance(way, Way) and n_all >= (_ENOUGH_OF_BEARINGS if way.keeps_points else _ENOUGH) else None
 
 
+def designs_at_once(way: Way) -> int:
+    """How many designs are held in memory together."""
+    return _BEARINGS_AT_ONCE if way.keeps_points else _AT_ONCE
+
+
 def facts_compiled(group: DesignsInColumns, way: Way) -> FactsOfCycles | None:
     """Find facts of designs that differ in numbers alone.
 
@@ -38,7 +43,7 @@ def facts_compiled(group: DesignsInColumns, way: Way) -> FactsOfCycles | None:
         None where those of the first design are not what `run` says of it.
     """
     n_designs = len(group.places)
-    at_once = _BEARINGS_AT_ONCE if way.keeps_points else _AT_ONCE
+    at_once = designs_at_once(way)
     parts = [
         part
         for first in range(0, n_designs, at_once)

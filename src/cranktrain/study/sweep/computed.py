@@ -22,14 +22,12 @@ from cranktrain.study.sweep.wanted import facts_wanted
 
 _TRIED, _GROWTH = 4, 8
 """Designs by which it is found how long one takes; so many times more next, until that can be measured."""
-_TRIED_COMPILED = 64
-"""Designs by which that is found of a compiled cycle."""
+_TRIED_OF = 16
+"""Part of those that cost less together."""
 _MEASURED = 0.025
 """What can be measured. [s]"""
 _BLOCK_SECONDS, _SLOW_BLOCK_SECONDS = 0.2, 2.0
 """What a block takes at least; and at most, unless it has no more designs than cost less together. [s]"""
-_TOGETHER = 64
-"""Designs that cost less together."""
 _LARGEST_BLOCK = 100_000
 _MANY_BLOCKS, _LONG_BLOCK_SECONDS = 10_000, 10.0
 """A store with more blocks has too many files, unless each of them would take longer than this. [s]"""
@@ -99,8 +97,8 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
     missing = [] if blocks is None else [number for number in range(len(blocks)) if number not in store.done]
     if blocks is not None and not missing:
         return Sweep(plan.machine, designs, store.found())
-    n_tried = _TRIED_COMPILED if compute.is_compiled else _TRIED
-    tried = _tried(compute, n_tried, *((0, len(designs)) if blocks is None else blocks.span(missing[0])))
+    n_together = compute.n_together
+    tried = _tried(compute, max(_TRIED, n_together // _TRIED_OF), *((0, len(designs)) if blocks is None else blocks.span(missing[0])))
     n_left = len(designs) if blocks is None else sum(after - first for first, after in map(blocks.span, missing))
     seconds = (n_left - len(tried.found.refused)) * tried.each
     if not is_meant and scheduler is None and seconds / processes > _LONG:
@@ -110,7 +108,7 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
     worth = _WORTH_COMPILING if plan.over_time and is_numba_there() else _WORTH
     n_at_once = processes if seconds > worth else 1
     if blocks is None:
-        blocks = blocks_of(shape_of(designs), _designs_of_block(tried.each, n_at_once, len(designs)))
+        blocks = blocks_of(shape_of(designs), _designs_of_block(tried.each, n_at_once, n_together, len(designs)))
         missing = list(range(len(blocks)))
         store.begin(plan, blocks)
     try:
@@ -183,14 +181,14 @@ def _tried(compute: Compute, n_first: int, first: int, after: int) -> _Tried:
     return _Tried(first, place, joined_rows(parts), each)
 
 
-def _designs_of_block(each: float, n_at_once: int, n_designs: int) -> int:
+def _designs_of_block(each: float, n_at_once: int, n_together: int, n_designs: int) -> int:
     """How many designs of such a duration make a block."""
     each = max(each, 1e-12)
     least = max(
         _BLOCK_SECONDS * max(1.0, n_at_once / _CREW_OF_BLOCK),
         min(n_designs * each / _MANY_BLOCKS, _LONG_BLOCK_SECONDS),
     )
-    together = min(_TOGETHER, _SLOW_BLOCK_SECONDS / each)
+    together = min(n_together, _SLOW_BLOCK_SECONDS / each)
     return max(1, min(_LARGEST_BLOCK, round(max(least / each, together))))
 
 

@@ -18,7 +18,7 @@ from cranktrain.saying.checks import Flag
 from cranktrain.saying.run import Run
 from cranktrain.study.facts_of_starts import facts_of_starts
 from cranktrain.study.starts import Starts
-from cranktrain.study.sweep.compiled import facts_compiled, way_compiled
+from cranktrain.study.sweep.compiled import designs_at_once, facts_compiled, way_compiled
 from cranktrain.study.sweep.designs import DesignsInColumns, designs_in_columns
 from cranktrain.study.sweep.varied import SweptDesigns, rows_listed
 
@@ -101,9 +101,10 @@ class FactsOfSweep:
         return facts_of_designs(*of, over_time=self.over_time, n_all=len(self.designs))
 
     @property
-    def is_compiled(self) -> bool:
-        """Whether the cycle of the machine is compiled for so many designs."""
-        return not self.over_time and way_compiled(self.machine, self.wanted, len(self.designs)) is not None
+    def n_together(self) -> int:
+        """How many designs cost less together than one by one."""
+        way = None if self.over_time else way_compiled(self.machine, self.wanted, len(self.designs))
+        return MOST_AT_ONCE if way is None else designs_at_once(way)
 
 
 def facts_of_designs(
