@@ -1,4 +1,4 @@
-"""Closing margin: how little one length may change before the crank cannot turn; and where links cannot close."""
+"""ClosingOfMany margin: how little one length may change before the crank cannot turn; and where links cannot close."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -221,14 +221,14 @@ def _all_lengths(kind: Kind[Motion, Geometry], geometry: Geometry) -> Array:
     return np.sum([np.abs(named_part(geometry, name)) for name in kind.lengths], axis=0)
 
 
-class Closing(NamedTuple):
+class ClosingOfMany(NamedTuple):
     """Whether links close all round, and whether it is too close to say of many at once; truths of shape (n,)."""
 
     closes: NDArray[np.bool_]
     is_unclear: NDArray[np.bool_]
 
 
-def closing_all_round(kind: Kind[Motion, Geometry], geometry: Geometry) -> Closing:
+def closing_all_round(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingOfMany:
     """Find which of many mechanisms have no `open_ranges`.
 
     Parameters
@@ -238,7 +238,7 @@ def closing_all_round(kind: Kind[Motion, Geometry], geometry: Geometry) -> Closi
 
     Returns
     -------
-    Closing
+    ClosingOfMany
         Of what is unclear, `open_ranges` has the last word.
 
     Notes
@@ -261,7 +261,7 @@ def closing_all_round(kind: Kind[Motion, Geometry], geometry: Geometry) -> Closi
                 least = (_least_gap(kind, own, turn_grid()).value - _rounding(kind, own))[:, 0]
                 closes[left] = least > 0
                 is_unclear[left] = ~(np.abs(least) > _NEAR * _all_lengths(kind, own)[:, 0])
-    return Closing(closes, is_unclear)
+    return ClosingOfMany(closes, is_unclear)
 
 
 class OpenRange(NamedTuple):

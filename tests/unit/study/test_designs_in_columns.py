@@ -175,6 +175,22 @@ def test_rules_that_read_units_see_each_unit():
     assert len(designs_in_columns(machine, rows_listed(rows), 0, 90).refused) == 30
 
 
+def test_designs_of_one_turn_and_of_two_are_apart():
+    """A load over two turns makes a cycle of two, which results of one turn cannot stand beside."""
+    load = {
+        "on": "piston",
+        "torque": None,
+        "force": ["1 N", "2 N", "3 N"],
+        "crank_angles": ["0 deg", "90 deg", "359 deg"],
+    }
+    load = {key: value for key, value in load.items() if value is not None}
+    machine = MACHINE.with_({"load.pressing": load})
+    last = {"load.pressing.crank_angles[2]": "80..719 deg:40"}
+    groups = hold_to_each_alone(machine, combined_designs(machine, last))
+    assert sorted(machine.cycle for group in groups for machine in [group.machine]) == [2 * np.pi, 4 * np.pi]
+    assert all(each.cycle == group.machine.cycle for group in groups for each in group.each)
+
+
 def test_what_some_designs_do_not_name_stays():
     rows = [{"mechanism.rod_length": f"{130 + k} mm"} for k in range(30)]
     rows = [row if k % 3 else {**row, "shaft.main.speed": f"{1000 + k} rpm"} for k, row in enumerate(rows)]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cranktrain.motion import chosen, plain
-from cranktrain.study.sweep.followed import Course, Followed, NotFollowed
+from cranktrain.study.sweep.followed import FollowedNumber, NotFollowed, RuleCourse
 
 SIZES = np.array([2.0, 1.0, 3.0, 2.0, -1.0, 0.0, 0.5, 2.5, 1e-300, np.nan, np.inf, -0.0])
 OTHERS = np.array([1.0, 1.0, 2.0, 5.0, 1.0, 1.0, 0.5, 0.0, 1e-300, 1.0, 1.0, 2.0])
@@ -16,10 +16,10 @@ def followed(rule, sizes=SIZES, others=OTHERS):
     """Answers of a rule for all, by following the first one that is left; and how many ways there were."""
     answers, left, ways = np.full(sizes.size, None, dtype=object), np.arange(sizes.size), 0
     while left.size:
-        course = Course(left.size)
+        course = RuleCourse(left.size)
         try:
             with np.errstate(all="ignore"):
-                answer = rule(Followed(course, sizes[left]), Followed(course, others[left]))
+                answer = rule(FollowedNumber(course, sizes[left]), FollowedNumber(course, others[left]))
         except ZeroDivisionError:
             answer = ZeroDivisionError
         assert course.goes_along[0]
@@ -89,11 +89,11 @@ def test_powers_are_those_of_one_number():
     random = np.random.default_rng(1)
     sizes, others = random.uniform(0.1, 10, (2, 2000))
     wanted = [one**2.5 for one in sizes.tolist()]
-    course = Course(sizes.size)
-    assert (Followed(course, sizes) ** 2.5).column.tolist() == wanted
-    assert (2.0 ** Followed(course, others)).column.tolist() == [2.0**one for one in others.tolist()]
+    course = RuleCourse(sizes.size)
+    assert (FollowedNumber(course, sizes) ** 2.5).column.tolist() == wanted
+    assert (2.0 ** FollowedNumber(course, others)).column.tolist() == [2.0**one for one in others.tolist()]
     with pytest.raises(NotFollowed):
-        Followed(course, -sizes) ** 0.5
+        FollowedNumber(course, -sizes) ** 0.5
 
 
 def test_a_rule_is_followed_once_for_all_that_go_along():
@@ -120,16 +120,16 @@ def test_a_rule_is_followed_once_for_all_that_go_along():
     ],
 )
 def test_many_numbers_that_are_made_plain_are_not_followed(use):
-    course = Course(100)
+    course = RuleCourse(100)
     with pytest.raises(NotFollowed):
-        use(Followed(course, np.linspace(1.0, 2.0, 100)))
+        use(FollowedNumber(course, np.linspace(1.0, 2.0, 100)))
 
 
 @pytest.mark.parametrize("use", [hash, np.asarray, lambda size: np.array([size]), lambda size: {size}])
 def test_what_may_be_kept_takes_no_followed_number(use):
     """Not even where all designs have the same: it would be found again by others."""
     with pytest.raises(NotFollowed):
-        use(Followed(Course(3), np.ones(3)))
+        use(FollowedNumber(RuleCourse(3), np.ones(3)))
 
 
 def test_no_rule_catches_it_as_an_error():
@@ -137,5 +137,5 @@ def test_no_rule_catches_it_as_an_error():
 
 
 def test_it_says_the_number_that_is_looked_at():
-    size = Followed(Course(2), np.array([0.25, 3.0]))
+    size = FollowedNumber(RuleCourse(2), np.array([0.25, 3.0]))
     assert (f"{size:.3f}", str(size), f"{2 * size}") == ("0.250", "0.25", "0.5")

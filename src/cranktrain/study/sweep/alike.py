@@ -14,7 +14,7 @@ from cranktrain.paths import PathParts, with_values
 from cranktrain.quantities import Given
 from cranktrain.spec import with_tuples
 from cranktrain.study.sweep.numbers import bits
-from cranktrain.study.sweep.places import Place, words_of
+from cranktrain.study.sweep.places import NumberPlace, words_of
 from cranktrain.study.sweep.refused import checked, problem_of
 from cranktrain.study.sweep.rules import judged_together
 
@@ -24,10 +24,10 @@ _ASKED = 4
 """Designs of each group that are asked one by one, too."""
 
 
-class Sorted(NamedTuple):
-    """Designs of a block by what they are: right, wrong, or not to be told together; each by its place."""
+class SortedDesigns(NamedTuple):
+    """Designs of a block by what they are: right, in groups of one cycle, wrong, or not to be told together."""
 
-    right: Rows
+    right: tuple[Rows, ...]
     wrong: Rows
     unknown: Rows
 
@@ -43,7 +43,7 @@ class AlikeDesigns:
         One like them, whose tables are right each by itself.
     row : callable (place) → dict
         Values of a design of the block, by path.
-    places : mapping of Place to array of int, shape (design,)
+    places : mapping of NumberPlace to array of int, shape (design,)
         Where the numbers stand, and which of the values each design of the block has.
     """
 
@@ -52,11 +52,11 @@ class AlikeDesigns:
         machine: Machine,
         start: Machine,
         row: Callable[[int], dict[str, object]],
-        places: Mapping[Place, Rows],
+        places: Mapping[NumberPlace, Rows],
     ) -> None:
         self._machine, self._start, self._row, self._places = machine, start, row, places
 
-    def judged(self, rows: Rows) -> Sorted | None:
+    def judged(self, rows: Rows) -> SortedDesigns | None:
         """Judge some of them together; None where that cannot be done for sure."""
         can_be_read = np.ones(rows.size, dtype=bool)
         for place, index in self._places.items():
@@ -64,9 +64,11 @@ class AlikeDesigns:
         read, misread = rows[can_be_read], rows[~can_be_read]
         if not read.size:
             return None
-        is_wrong, is_unknown = judged_together(self._start, self._columns(read), read.size)
-        found = Sorted(read[~is_wrong & ~is_unknown], read[is_wrong], read[is_unknown])
-        if not self._are_right(found.right) or not self._are_wrong(found.wrong) or not self._are_wrong(misread):
+        is_wrong, is_unknown, cycle = judged_together(self._start, self._columns(read), read.size)
+        is_right = ~is_wrong & ~is_unknown
+        right = tuple(read[is_right & (cycle == one)] for one in np.unique(cycle[is_right]))
+        found = SortedDesigns(right, read[is_wrong], read[is_unknown])
+        if not all(map(self._are_right, right)) or not self._are_wrong(found.wrong) or not self._are_wrong(misread):
             return None
         return found._replace(wrong=np.concatenate([misread, found.wrong]))
 
@@ -101,7 +103,7 @@ class AlikeDesigns:
             except InputError:
                 return False
             found = self.alone(row)
-            if words_of(asked) != words_of(found) or not _have_same_numbers(asked, found):
+            if (asked.cycle, words_of(asked)) != (found.cycle, words_of(found)) or not _have_same_numbers(asked, found):
                 return False
         return True
 

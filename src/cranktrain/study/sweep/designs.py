@@ -34,7 +34,7 @@ _TRIED = 4
 
 @record
 class DesignsInColumns:
-    """Designs with which nothing is wrong, and which differ in numbers alone.
+    """Designs with which nothing is wrong, and which differ in numbers alone, but not in their cycle.
 
     Attributes
     ----------
@@ -160,9 +160,9 @@ class _Block:
             self._ask_each(rows)
             return
         self.refused.add(found.wrong.tolist())
-        if found.right.size:
-            together, each = designs.together(found.right), EachAlone(designs, found.right)
-            self.groups.append(DesignsInColumns(together, found.right, each, were_followed=True))
+        for right in found.right:
+            together, each = designs.together(right), EachAlone(designs, right)
+            self.groups.append(DesignsInColumns(together, right, each, were_followed=True))
         self._ask_each(found.unknown)
 
     def _ask_each(self, rows: Rows) -> None:
@@ -174,7 +174,7 @@ class _Block:
             except InputError as error:
                 self.refused.say(place, error.problems[0])
             else:
-                found.append((words_of(design), (place, design)))
+                found.append(((design.cycle, *words_of(design)), (place, design)))
         for own in grouped(found).values():
             places, each = zip(*own, strict=True)
             self.groups.append(DesignsInColumns(in_columns(each), np.array(places), each, were_followed=False))

@@ -1,6 +1,6 @@
 """Numbers that are followed: one design's number that carries those of all along, so that rules are asked once for all.
 
-A rule is plain Python that looks at one design: `if rod.si <= crank.si`. Asked with `Followed` in place of its numbers
+A rule is plain Python that looks at one design: `if rod.si <= crank.si`. Asked with `FollowedNumber` in place of its numbers
 it takes the way of the design that is looked at, and each comparison notes which designs would go another way. All that
 are left at the end have gone the same way, number for number, and are right or wrong as that one is.
 
@@ -30,7 +30,7 @@ class NotFollowed(BaseException):
     """Raised where a rule makes of a followed number what cannot be followed; no error, as rules may catch these."""
 
 
-class Course:
+class RuleCourse:
     """The way that rules take for the design that is looked at.
 
     Parameters
@@ -62,12 +62,12 @@ class Course:
         return column[0]
 
 
-class Followed(NDArrayOperatorsMixin):
+class FollowedNumber(NDArrayOperatorsMixin):
     """A number of the design that is looked at, with those of all.
 
     Parameters
     ----------
-    course : Course
+    course : RuleCourse
     column : array, shape (design,)
         The number in each design; truths, of what was compared.
     is_numpy : bool
@@ -79,7 +79,7 @@ class Followed(NDArrayOperatorsMixin):
     ndim = 0
     size = 1
 
-    def __init__(self, course: Course, column: Column, *, is_numpy: bool = False) -> None:
+    def __init__(self, course: RuleCourse, column: Column, *, is_numpy: bool = False) -> None:
         self.course, self.column, self.is_numpy = course, column, is_numpy
 
     # What NumPy asks.
@@ -93,17 +93,17 @@ class Followed(NDArrayOperatorsMixin):
             return _as_python(self.course, ufunc, inputs)
         found = ufunc(*map(_column_of, inputs))
         if isinstance(found, tuple):
-            return tuple(Followed(self.course, one, is_numpy=True) for one in cast("tuple[Column, ...]", found))
-        return Followed(self.course, found, is_numpy=True)
+            return tuple(FollowedNumber(self.course, one, is_numpy=True) for one in cast("tuple[Column, ...]", found))
+        return FollowedNumber(self.course, found, is_numpy=True)
 
     def __array_function__(self, function: Any, _types: object, given: Any, options: Any) -> Any:
         """Give shapes, and what is elementwise of one number."""
         if function in (np.shape, np.ndim, np.size):
             return {np.shape: (), np.ndim: 0, np.size: 1}[function]
         if function is np.where and len(given) == 3 and all(isinstance(one, _KNOWN) for one in given):
-            return Followed(self.course, cast("Column", np.where(*map(_column_of, given))), is_numpy=True)
+            return FollowedNumber(self.course, cast("Column", np.where(*map(_column_of, given))), is_numpy=True)
         if function in (np.any, np.all) and len(given) == 1 and given[0] is self and not options:
-            return Followed(self.course, self.column.astype(bool), is_numpy=True)
+            return FollowedNumber(self.course, self.column.astype(bool), is_numpy=True)
         if function is np.ravel and len(given) == 1 and not options:
             return (self,)
         return function(*map(_fixed, given), **options)
@@ -112,9 +112,9 @@ class Followed(NDArrayOperatorsMixin):
         """Refuse to be an item of an array."""
         raise NotFollowed
 
-    def item(self) -> "Followed":
+    def item(self) -> "FollowedNumber":
         """As a number of Python."""
-        return Followed(self.course, self.column)
+        return FollowedNumber(self.course, self.column)
 
     # What Python asks.
 
@@ -122,10 +122,10 @@ class Followed(NDArrayOperatorsMixin):
         """Go the way of the design that is looked at."""
         return self.course.taken(self.column.astype(bool))
 
-    def __abs__(self) -> "Followed":
-        return Followed(self.course, np.abs(self.column), is_numpy=self.is_numpy)
+    def __abs__(self) -> "FollowedNumber":
+        return FollowedNumber(self.course, np.abs(self.column), is_numpy=self.is_numpy)
 
-    def __pos__(self) -> "Followed":
+    def __pos__(self) -> "FollowedNumber":
         return self
 
     def __eq__(self, other: object) -> Any:
@@ -139,17 +139,17 @@ class Followed(NDArrayOperatorsMixin):
     def _compared(self, compare: Callable[[Any, Any], Any], other: object) -> Any:
         if not isinstance(other, _KNOWN):
             return compare(_fixed(self), other) if isinstance(other, np.ndarray) else NotImplemented
-        return Followed(self.course, compare(self.column, _column_of(other)), is_numpy=self.is_numpy)
+        return FollowedNumber(self.course, compare(self.column, _column_of(other)), is_numpy=self.is_numpy)
 
-    def __pow__(self, other: object) -> "Followed":
+    def __pow__(self, other: object) -> "FollowedNumber":
         """As the C library does for one number, which NumPy does not for many."""
         return self._power(self, other)
 
-    def __rpow__(self, other: object) -> "Followed":
+    def __rpow__(self, other: object) -> "FollowedNumber":
         """As the C library does for one number, which NumPy does not for many."""
         return self._power(other, self)
 
-    def _power(self, base: object, exponent: object) -> "Followed":
+    def _power(self, base: object, exponent: object) -> "FollowedNumber":
         if not isinstance(base, _KNOWN) or not isinstance(exponent, _KNOWN):
             return _fixed(base) ** _fixed(exponent)
         bases, exponents = (np.broadcast_to(_column_of(one), self.column.shape).tolist() for one in (base, exponent))
@@ -160,7 +160,7 @@ class Followed(NDArrayOperatorsMixin):
         if not {*map(type, found)} <= {float}:
             raise NotFollowed
         is_numpy = self.is_numpy or _is_of_numpy(base) or _is_of_numpy(exponent)
-        return Followed(self.course, np.array(found), is_numpy=is_numpy)
+        return FollowedNumber(self.course, np.array(found), is_numpy=is_numpy)
 
     def __format__(self, form: str) -> str:
         """Say the number that is looked at."""
@@ -200,27 +200,27 @@ _OF_PYTHON = {
 """What operators of Python's own numbers do as NumPy does, but where a divisor is 0."""
 
 
-def _as_python(course: Course, ufunc: np.ufunc, inputs: Sequence[Any]) -> Followed:
+def _as_python(course: RuleCourse, ufunc: np.ufunc, inputs: Sequence[Any]) -> FollowedNumber:
     """Compute as an operator of numbers of Python does."""
     columns = [_column_of(one) for one in inputs]
     if ufunc is np.divide and course.taken(np.broadcast_to(columns[1] == 0, course.goes_along.shape)):
         raise ZeroDivisionError
-    return Followed(course, ufunc(*columns))
+    return FollowedNumber(course, ufunc(*columns))
 
 
-_KNOWN: tuple[type, ...] = (Followed, *_NUMBERS)
+_KNOWN: tuple[type, ...] = (FollowedNumber, *_NUMBERS)
 
 
 def _column_of(value: Any) -> Any:
     """Numbers of all designs, or one of all."""
-    return value.column if isinstance(value, Followed) else value
+    return value.column if isinstance(value, FollowedNumber) else value
 
 
 def _fixed(value: Any) -> Any:
     """Go on with the number that is looked at."""
-    return value.course.fixed(value.column) if isinstance(value, Followed) else value
+    return value.course.fixed(value.column) if isinstance(value, FollowedNumber) else value
 
 
 def _is_of_numpy(value: object) -> bool:
     """Whether a number divides as NumPy's do."""
-    return value.is_numpy if isinstance(value, Followed) else isinstance(value, np.generic)
+    return value.is_numpy if isinstance(value, FollowedNumber) else isinstance(value, np.generic)

@@ -22,7 +22,7 @@ _ENOUGH = 3
 
 
 @record
-class Place:
+class NumberPlace:
     """Where the values of a path stand.
 
     Attributes
@@ -73,12 +73,12 @@ def are_numbers(start: Machine, tried: Sequence[tuple[object, Machine]]) -> bool
     return all(words_of(design) == words for _value, design in tried)
 
 
-def place_of(start: Machine, varied: Varied, tried: Sequence[tuple[object, Machine]]) -> Place | None:
+def place_of(start: Machine, varied: Varied, tried: Sequence[tuple[object, Machine]]) -> NumberPlace | None:
     """Find where values stand, by designs that differ in them and in quantities alone.
 
     Returns
     -------
-    Place or None
+    NumberPlace or None
         None where it is not to be told for sure.
     """
     before = dict(numbers_of(start))
@@ -88,7 +88,7 @@ def place_of(start: Machine, varied: Varied, tried: Sequence[tuple[object, Machi
     quantity = quantities.pop() if len(quantities) == 1 else None
     if quantity is None or any(own[at] != given_as(quantity, value) for value, own in numbers for at in where):
         return None
-    return Place(varied, where, quantity)
+    return NumberPlace(varied, where, quantity)
 
 
 def words_of(spec: Spec) -> tuple[object, ...]:

@@ -19,23 +19,34 @@ from cranktrain.numerics.nested import each_changed, leaves
 from cranktrain.paths import PathParts, item_at
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
-from cranktrain.study.sweep.followed import Course, Followed, NotFollowed
+from cranktrain.study.sweep.followed import FollowedNumber, NotFollowed, RuleCourse
 from cranktrain.study.sweep.numbers import bits
 
-_MOST_WAYS = 32
+_MOST_WAYS = 256
 """Ways through the rules that are followed; designs that go yet others are asked one by one."""
 _MOST_LOST = 2
 """Ways that could not be followed, after which no more are tried."""
 
 
-class Judged(NamedTuple):
-    """What rules say of designs, each of shape (design,): that something is wrong, or that they cannot be followed."""
+class JudgedDesigns(NamedTuple):
+    """What rules say of designs, each of shape (design,).
+
+    Attributes
+    ----------
+    is_wrong : array of bool
+        Something is wrong.
+    is_unknown : array of bool
+        It is not to be told together.
+    cycle : Array
+        Crank angle after which all repeats, of those with which nothing is wrong, which may be one turn or two. [rad]
+    """
 
     is_wrong: NDArray[np.bool_]
     is_unknown: NDArray[np.bool_]
+    cycle: Array
 
 
-def judged_together(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> Judged:
+def judged_together(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> JudgedDesigns:
     """Ask rules of designs that differ in some numbers, as `machine_problems` does of one.
 
     Parameters
@@ -48,7 +59,7 @@ def judged_together(machine: Machine, columns: Mapping[PathParts, Array], n_desi
 
     Returns
     -------
-    Judged
+    JudgedDesigns
 
     Notes
     -----
@@ -66,27 +77,29 @@ def judged_together(machine: Machine, columns: Mapping[PathParts, Array], n_desi
     return judged
 
 
-def _by_tables(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> Judged:
+def _by_tables(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> JudgedDesigns:
     is_wrong, is_unknown = np.zeros((2, n_designs), dtype=bool)
+    cycle = np.full(n_designs, np.nan)
     left, n_lost = np.arange(n_designs), 0
     for _way in range(_MOST_WAYS):
         if not left.size or n_lost == _MOST_LOST:
             break
-        course = Course(left.size)
+        course = RuleCourse(left.size)
         given = {
-            where: replace(_given(machine, where), si=cast("Any", Followed(course, column[left])))
+            where: replace(_given(machine, where), si=cast("Any", FollowedNumber(course, column[left])))
             for where, column in columns.items()
         }
         try:
-            found = _is_wrong(machine, given)
+            found = _cycle_of(machine, given)
         except (NotFollowed, Exception):  # of a rule that fails itself, each design is to say so
             is_unknown[left[course.goes_along]] = True
             n_lost += 1
         else:
-            is_wrong[left[course.goes_along]] = found
+            is_wrong[left[course.goes_along]] = found is None
+            cycle[left[course.goes_along]] = np.nan if found is None else found
         left = left[~course.goes_along]
     is_unknown[left] = True
-    return Judged(is_wrong, is_unknown)
+    return JudgedDesigns(is_wrong, is_unknown, cycle)
 
 
 def _given(machine: Machine, where: PathParts) -> Given:
@@ -96,16 +109,16 @@ def _given(machine: Machine, where: PathParts) -> Given:
     return given
 
 
-def _is_wrong(machine: Machine, given: Mapping[PathParts, Given]) -> bool:
-    """Whether rules find anything with these numbers: first those of each table in which one stands, then of all."""
+def _cycle_of(machine: Machine, given: Mapping[PathParts, Given]) -> float | None:
+    """The cycle with these numbers; None where rules find anything, of tables in which one stands, or of all together."""
     design = with_numbers(machine, given)
     try:
         with np.errstate(all="ignore"):
             if any(True for table in _tables(design, given) for _problem in table._problems()):  # pyright: ignore[reportPrivateUsage]
-                return True
-        return bool(design.table_problems)
+                return None
+        return None if design.table_problems else design.cycle
     except InputError:
-        return True
+        return None
 
 
 def _tables(machine: Machine, given: Mapping[PathParts, Given]) -> Iterator[Spec]:
@@ -115,13 +128,15 @@ def _tables(machine: Machine, given: Mapping[PathParts, Given]) -> Iterator[Spec
             yield table
 
 
-def _by_closing(machine: Machine, columns: Mapping[PathParts, Array], n_designs: int) -> Judged:
-    """Ask of designs whose tables are right whether all links close."""
+def _by_closing(
+    machine: Machine, columns: Mapping[PathParts, Array], n_designs: int
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which of designs whose tables are right have links that do not close, and of which it is not to be told."""
     given = {where: replace(_given(machine, where), column=column) for where, column in columns.items()}
     places, problems = with_numbers(machine, given).arranged
     is_wrong, is_unknown = np.zeros((2, n_designs), dtype=bool)
     if problems:
-        return Judged(is_wrong, ~is_unknown)
+        return is_wrong, ~is_unknown
     for place in {id(place.geometry): place for place in places}.values():
         geometry = _by_design(place.geometry, n_designs)
         different, which = _different(geometry)
@@ -132,7 +147,7 @@ def _by_closing(machine: Machine, columns: Mapping[PathParts, Array], n_designs:
         else:
             is_unknown[stuck] = True
         is_unknown |= is_unclear
-    return Judged(is_wrong, is_unknown & ~is_wrong)
+    return is_wrong, is_unknown & ~is_wrong
 
 
 def _is_refused_whole(kind: AnyKind, geometry: AnyGeometry) -> bool:
