@@ -1,8 +1,8 @@
 """Numbers that are followed: one design's number that carries those of all along, so that rules are asked once for all.
 
-A rule is plain Python that looks at one design: `if rod.si <= crank.si`. Asked with `FollowedNumber` in place of its numbers
-it takes the way of the design that is looked at, and each comparison notes which designs would go another way. All that
-are left at the end have gone the same way, number for number, and are right or wrong as that one is.
+A rule is plain Python that looks at one design: `if rod.si <= crank.si`. Asked with a `FollowedNumber` in place of each
+that differs, it takes the way of the design that is looked at, and each comparison notes which designs would go another
+way. All that are left at the end have gone the same way, number for number, and are right or wrong as that one is.
 
 What makes a plain number of one (`float`, `math`, a function of arrays) goes on with the number that is looked at, and
 only designs that have the same one go along. Where there are many such numbers `NotFollowed` is raised, as it is for a

@@ -110,7 +110,7 @@ def _given(machine: Machine, where: PathParts) -> Given:
 
 
 def _cycle_of(machine: Machine, given: Mapping[PathParts, Given]) -> float | None:
-    """The cycle with these numbers; None where rules find anything, of tables in which one stands, or of all together."""
+    """The cycle with these numbers; None where rules find anything, of tables in which one stands or of all."""
     design = with_numbers(machine, given)
     try:
         with np.errstate(all="ignore"):
