@@ -10,7 +10,7 @@ from cranktrain import analysis
 from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison, compared
 from cranktrain.errors import InputError, Problem, problems_as, refuse
-from cranktrain.io.any_machine import sources_of, values_of
+from cranktrain.io.any_machine import name_of, sources_of, values_of
 from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.quantities import shown_by, units_by_dimension
@@ -185,18 +185,16 @@ def sweep(
     processes : int
         How many may work at once; from a script these need `if __name__ == "__main__":`.
     store : str or path-like, optional
-        A folder `NAME.zarr` in which facts are kept while they are computed, and read from when they are asked for
-        later; with `pip install 'cranktrain[store]'`.
+        A folder `NAME.zarr` that keeps facts while they are computed; with `pip install 'cranktrain[store]'`.
     resume : bool
-        Go on with that store, which may have been stopped at any moment; where it is not there, begin it.
+        Go on with that store, whatever stopped it; where there is none, begin it.
     scheduler : str or distributed.Client, optional
-        A cluster of Dask that computes, `"tcp://HOST:8786"`; with `pip install 'cranktrain[cluster]'`.
+        Of a cluster of Dask, `"tcp://HOST:8786"`; with `pip install 'cranktrain[cluster]'`.
 
     Returns
     -------
     Sweep
-        Every fact as an array along what is varied, NaN where a design cannot be, and `refused` says why; `dataset`,
-        `plot()`, `best(least=…)`.
+        Every fact along what is varied, NaN where a design cannot be: `refused`; `dataset`, `plot()`, `best(least=…)`.
 
     Raises
     ------
@@ -211,26 +209,19 @@ def sweep(
     >>> [round(float(force)) for force in found.largest_side_force[0]]
     [2663, 1676, 1420]
     """
-    from cranktrain.io.notebook_line import told_in_notebooks
-    from cranktrain.study.sweep import swept
+    from cranktrain.io.any_sweep import any_swept
 
-    source = sources_of(machine, set, partial=False)[0][0]
-    kept = None
-    if store is not None:
-        from cranktrain.io.store_of_sweep import SweepStore  # only for who asks
-
-        kept = SweepStore(store, resume=resume)
-    with problems_as(source.placed), told_in_notebooks():
-        return swept(
-            source.machine,
-            vary,
-            _names_in(wanted),
-            over_time=over_time,
-            processes=processes,
-            settings=tuple(set or ()),
-            store=kept,
-            scheduler=scheduler,
-        )
+    return any_swept(
+        machine,
+        vary,
+        _names_in(wanted),
+        set or {},
+        over_time=over_time,
+        processes=processes,
+        store=store,
+        resume=resume,
+        scheduler=scheduler,
+    )
 
 
 def compare(
@@ -275,7 +266,7 @@ def compare(
         raise InputError([Problem("second", None, allowed, _("write set={example}", example=_EXAMPLE))])
     said = ", ".join(f"{path} = {value}" for path, value in values.items())
     named = first if second is None else second
-    names = [_name_of(first), _name_of(named)]
+    names = [name_of(first), name_of(named)]
     if second is None:
         names[1] = _("{name} with {values}", name=names[0], values=said)
     asked = _names_in(quantities)
@@ -435,12 +426,3 @@ def _result(given: "MachineLike | Result", values: "Mapping[str, object]", asked
         allowed = _("has several designs; compare two machines")
         raise InputError([Problem("compare", None, allowed, _("name one: result.machines[0]"))])
     return run(given.machines[0], set=values, quantities=asked) if values else given
-
-
-def _name_of(given: "MachineLike | Result") -> str:
-    """Name a machine as it was named, or by its own name."""
-    if isinstance(given, Result):
-        return given.machines[0].name
-    if isinstance(given, Mapping):
-        return str(given.get("name", "")) or _("a dict")
-    return getattr(given, "name", "") or str(given)

@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 CALLED = {"pillow": "PIL"}
 """Distributions whose package has another name."""
-EXTRAS = ("fast", "cad", "dataset", "xlsx")
+EXTRAS = ("fast", "cad", "dataset", "xlsx", "store", "cluster")
 """What a user may have besides, and the tests have."""
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, TypeAlias, cast
 
+from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.machine_file import SET, load_with
@@ -169,3 +170,12 @@ def _of_set(values: Mapping[str, object]) -> Any:
         return replace(problem, position=SET) if is_set else problem
 
     return placed
+
+
+def name_of(given: "MachineLike | Result") -> str:
+    """Name a machine as it was named, or by its own name."""
+    if isinstance(given, Result):
+        return given.machines[0].name
+    if isinstance(given, Mapping):
+        return str(given.get("name", "")) or _("a dict")
+    return getattr(given, "name", "") or str(given)

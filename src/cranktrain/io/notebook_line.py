@@ -15,7 +15,7 @@ _WIDTH = 78
 
 
 @contextmanager
-def told_in_notebooks() -> Generator[None]:
+def said_in_notebooks() -> Generator[None]:
     """Say how far work is, where this is a notebook; a script says nothing that it was not asked for."""
     if not _is_notebook():
         yield

@@ -21,7 +21,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.io.files import refusal
 from cranktrain.io.output import not_written
 from cranktrain.io.store_identity import differences, identity
-from cranktrain.io.stored_facts import StoredFacts, Words
+from cranktrain.io.stored_facts import StoredFacts, TextsOfDesigns
 from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
@@ -113,11 +113,11 @@ class SweepStore:
             self._labels = {name: tuple(words) for name, words in about["labels"].items()}
             self._entries = {name: _entry(fields) for name, fields in about["entries"].items()}
             self._blocks = Blocks(self._sweep.shape, tuple(about["chunk"]))
-            self._make_room()
+            self._have_room()
         numbers = np.arange(len(self._blocks)).reshape(self._blocks.grid)
         if self._sweep.over is not None:
             numbers = np.moveaxis(numbers, self._sweep.over, -1)
-        self._done = set(_there(self._path / Words.STATUS / "c", numbers))
+        self._done = set(_there(self._path / TextsOfDesigns.STATUS / "c", numbers))
         return self._blocks
 
     def begin(self, plan: Plan, blocks: Blocks) -> None:
@@ -129,7 +129,7 @@ class SweepStore:
         with self._writing():
             try:
                 self._group = self._zarr.open_group(beside, mode="w-", zarr_format=3)
-                self._make_frame()
+                self._begin_arrays()
                 if os.path.lexists(self._path):
                     self._path.rename(old)
                 beside.rename(self._path)
@@ -146,14 +146,14 @@ class SweepStore:
             if whole.labels != self._labels or not whole.entries.keys() <= self._entries.keys():
                 self._labels = dict(whole.labels)
                 self._entries = {**self._entries, **whole.entries}
-                self._make_room()
+                self._have_room()
             for name, values in whole.values.items():
                 self._put(name, values, box)
-            for name, texts in Words.of(found):
+            for name, texts in TextsOfDesigns.of(found):
                 if self._is_resumed or any(texts):
                     self._put(name, np.array(texts, dtype=object), box)
             if not is_lost:
-                self._put(Words.STATUS, Words.status(found), box)
+                self._put(TextsOfDesigns.STATUS, TextsOfDesigns.status(found), box)
                 self._done.add(number)
 
     def end(self) -> None:
@@ -185,7 +185,7 @@ class SweepStore:
             region = (*beside, *(slice(None),) * (values.ndim - 1), box[over])
         self._group[name][region] = apart
 
-    def _make_frame(self) -> None:
+    def _begin_arrays(self) -> None:
         """Make what a store has before anything is computed: what it is of, what is varied, what is said of designs."""
         sweep = self._sweep
         names = [one.name for one in sweep.designs.varied] if sweep.designs.is_listed else []
@@ -200,11 +200,11 @@ class SweepStore:
             for one in sweep.designs.varied:
                 plain = np.array(one.texts, dtype=object) if one.numbers is None else one.numbers
                 self._coordinate(one.name, (sweep.along[0].name,), plain, {"units": one.unit} if one.unit else {})
-        for name, (kind, about) in Words.arrays().items():
+        for name, (kind, about) in TextsOfDesigns.arrays().items():
             self._array(name, None, kind, about)
         self._consolidate()
 
-    def _make_room(self) -> None:
+    def _have_room(self) -> None:
         """Have an array for each fact, with room for all members; what is not computed is NaN."""
         self._about |= {"labels": self._labels, "entries": {name: asdict(one) for name, one in self._entries.items()}}
         self._write_about({})

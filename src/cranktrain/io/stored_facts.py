@@ -17,7 +17,7 @@ from cranktrain.study.sweep.kept import stopped
 Item = TypeVar("Item")
 
 
-class Words:
+class TextsOfDesigns:
     """What is said of each design, as arrays of texts; and its status, a number."""
 
     STATUS: ClassVar = "status"
@@ -77,8 +77,12 @@ class StoredFacts:
         """Give them as a sweep takes them."""
         n_designs = len(self._sweep.designs)
         refused = Later(n_designs, self._refused)
-        failing, ended = (Later(n_designs, partial(self._texts, name)) for name in (Words.FAILING, Words.ENDED))
-        flags = Later(n_designs, lambda: [tuple(filter(None, text.split("\n"))) for text in self._texts(Words.FLAGS)])
+        failing, ended = (
+            Later(n_designs, partial(self._texts, name)) for name in (TextsOfDesigns.FAILING, TextsOfDesigns.ENDED)
+        )
+        flags = Later(
+            n_designs, lambda: [tuple(filter(None, text.split("\n"))) for text in self._texts(TextsOfDesigns.FLAGS)]
+        )
         values = ReadValues(tuple(self._entries), self.flat)
         return FactsOfRows(dict(self._entries), dict(self._labels), values, refused, failing, ended, flags)
 
@@ -95,10 +99,10 @@ class StoredFacts:
     def _refused(self) -> list[Problem | None]:
         """What is wrong with designs; of one that is not computed, and nothing else is said of it, that."""
         found: list[Problem | None] = [None] * len(self._sweep.designs)
-        status = self.flat(Words.STATUS)
-        wrong = np.flatnonzero((status == Words.CANNOT_BE) | (status == Words.NOT_COMPUTED)).tolist()
+        status = self.flat(TextsOfDesigns.STATUS)
+        wrong = np.flatnonzero((status == TextsOfDesigns.CANNOT_BE) | (status == TextsOfDesigns.NOT_COMPUTED)).tolist()
         if wrong:
-            texts, paths, given = map(self._texts, (Words.REFUSED, Words.PATH, Words.GIVEN))
+            texts, paths, given = map(self._texts, (TextsOfDesigns.REFUSED, TextsOfDesigns.PATH, TextsOfDesigns.GIVEN))
             for place in wrong:
                 is_said = bool(texts[place])
                 found[place] = (

@@ -112,7 +112,7 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
         missing = list(range(len(blocks)))
         store.begin(plan, blocks)
     try:
-        _compute(designs, blocks, missing, tried, store, _crew(compute, n_at_once, scheduler))
+        _fill(designs, blocks, missing, tried, store, _crew(compute, n_at_once, scheduler))
     except KeyboardInterrupt:  # what was computed so far is kept
         pass
     finally:
@@ -205,7 +205,7 @@ def _crew(compute: Compute, n_at_once: int, scheduler: object) -> Crew:
     return Processes(compute, n_at_once)
 
 
-def _compute(
+def _fill(
     designs: SweptDesigns, blocks: Blocks, missing: Sequence[int], tried: _Tried, store: Store, crew: Crew
 ) -> None:
     """Compute blocks that are missing, of which `tried` has the first designs; none is begun before the one before."""
