@@ -46,14 +46,14 @@ def test_a_scheduler_that_goes_away(cluster, tmp_path):
 
     stopping = threading.Thread(target=stop)
     stopping.start()
-    vary = {"mechanism.rod_length": "0.2..0.3 m:1500"}
+    vary = {"mechanism.rod_length": "0.2..0.3 m:500"}
     with pytest.raises(ct.InputError, match=r"scheduler = tcp://.*: the scheduler is gone"):
         ct.sweep(MACHINE, vary, WANTED, scheduler=cluster.scheduler_address, store=path)
     stopping.join()
     import zarr
 
     n_kept = int((zarr.open_group(path, mode="r")["status"][:] > 0).sum())
-    assert 10 <= n_kept < 1500
+    assert 10 <= n_kept < 500
     n_rows, facts = [], computed.facts_of_rows
     monkey = pytest.MonkeyPatch()
     with monkey.context() as patched:
@@ -63,7 +63,7 @@ def test_a_scheduler_that_goes_away(cluster, tmp_path):
             lambda machine, rows, **how: (n_rows.append(len(rows)), facts(machine, rows, **how))[1],
         )
         found = ct.sweep(MACHINE, vary, WANTED, store=path, resume=True)
-    assert sum(n_rows) == 1500 - n_kept
+    assert sum(n_rows) == 500 - n_kept
     same(found, swept(ct.load(MACHINE), vary, WANTED))
 
 

@@ -76,9 +76,8 @@ def _values(there: object, here: object, path: PathParts = ()) -> Iterator[str]:
 
 def _alone(value: object) -> object:
     """A value without its status, note and source."""
-    if isinstance(value, Mapping) and not is_table(value):
-        return cast("Mapping[str, object]", value)["value"]
-    return value
+    is_told = isinstance(value, Mapping) and not is_table(value)
+    return cast("Mapping[str, object]", value)["value"] if is_told else value
 
 
 def _said(value: object) -> str:

@@ -60,7 +60,8 @@ def _dense(pieces: Iterable[Array]) -> Array:
     along = [np.empty((0, 2))]
     for piece in pieces:
         lengths = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(piece, axis=0).T))])
-        at = np.linspace(0.0, lengths[-1], max(int(lengths[-1] / _APART), 2))
+        whole = float(lengths[-1])
+        at = np.linspace(0.0, whole, max(int(whole / _APART), 2))
         along.append(np.column_stack([np.interp(at, lengths, piece[:, axis]) for axis in (0, 1)]))
     return np.concatenate(along)
 
