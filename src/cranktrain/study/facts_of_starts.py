@@ -167,7 +167,10 @@ def _run_each(
 
 def _n_threads() -> int:
     """As many as there are processors; one where other processes are at the same work."""
-    return 1 if parent_process() is not None else len(os.sched_getaffinity(0))
+    if parent_process() is not None:
+        return 1
+    # Not every system lets a process have some of them alone.
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class _Gathered:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.how_far import listened_to
 from cranktrain.study import facts_of_starts as road
 
 RATIO = "drive.stage[0].ratio"
@@ -100,3 +101,16 @@ def test_compiled_they_are_the_same_to_the_last_bit(monkeypatch):
     ):
         held_to_each_alone(ct.start(designs(name, *values)))
     assert road._compiled
+
+
+def test_without_numba_they_are_plain_and_that_is_said(monkeypatch):
+    """However many there are."""
+    monkeypatch.setattr(road, "find_spec", lambda _name: None)
+    monkeypatch.setattr(road, "_COMPILING", 0.0)
+    monkeypatch.setattr(road, "_compiled", set())
+    said = []
+    with listened_to(lambda words: said.append(str(words[-1]()))):
+        found = ct.start(designs("tilting_table", {RATIO: 40}, {RATIO: 30}))
+    assert said[0] == "0 of 2 starts, without Numba one by one"
+    assert road._compiled == set()
+    assert found.start_duration[1] == ct.start(found.machines[1]).start_duration
