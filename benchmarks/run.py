@@ -62,8 +62,7 @@ LIMITS = {
     ("3d12", "columns"): 34.0,
     ("compressor_start", "1000 starts"): 100.0,
 }
-"""Twice what was reached, in parts of the yardstick's time; of processes, crankshafts, 200 designs and starts, of another
-way's.
+"""Twice what was reached, in parts of the yardstick's time; of processes, crankshafts, designs, starts of others'.
 
 Of `run` and `check` as processes 1.4 to 1.7 times what was reached, 2.4, 1.7 and 2.2.
 """

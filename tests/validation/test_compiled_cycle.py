@@ -112,14 +112,12 @@ def test_a_design_is_found_as_it_is_alone(name):
 def test_central_differences_of_facts(fact, path):
     """Of a relative step of 1e-4 against Richardson's of twice and half of it: to 1e-7."""
     machine = ct.load("vaz_21213")
-    typed = dict((".".join(map(str, where)), value) for where, value in numbers_of(machine.declared))[path]
+    typed = {".".join(map(str, where)): value for where, value in numbers_of(machine.declared)}[path]
     steps = [-2e-4, -1e-4, -0.5e-4, 0.5e-4, 1e-4, 2e-4]
     machines = [machine.with_({path: changed(typed, 1 + step)}) for step in steps]
     way = way_to(machine, [fact])
     values = facts_of_cycles(in_columns(machines), len(machines), way).values[fact].reshape(len(machines), -1)[:, 0]
-    wide, middle, narrow = (
-        (values[5 - i] - values[i]) / (steps[5 - i] - steps[i]) for i in range(3)
-    )
+    wide, middle, narrow = ((values[5 - i] - values[i]) / (steps[5 - i] - steps[i]) for i in range(3))
     exact = (64 * narrow - 20 * middle + wide) / 45
     assert abs(middle - exact) <= 1e-7 * abs(exact)
 

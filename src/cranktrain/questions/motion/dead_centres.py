@@ -165,9 +165,7 @@ def dead_centres(
 ) -> DeadCentres:
     """True dead centres of every piston, roots of s′; docs/theory/slider-crank, eqs. (2.6) to (2.8)."""
     different = turn.distinct
-    bottom, top = (
-        Extreme(different.spread(one.angle[0]), different.spread(one.value[0])) for one in turn.peaks
-    )
+    bottom, top = (Extreme(different.spread(one.angle[0]), different.spread(one.value[0])) for one in turn.peaks)
     return dead_centres_at(top, bottom, pistons, crank_angle, cylinders)
 
 

@@ -1,4 +1,4 @@
-"""Events of chambers in the compiled cycle: where their volumes turn and kinks are, and on which branch a panel lies."""
+"""Events of chambers in the compiled cycle: where volumes turn and kinks are, and on which branch a panel lies."""
 
 import numpy as np
 
@@ -6,7 +6,6 @@ from cranktrain.motion import Array
 from cranktrain.study.cycle.given import Room
 
 TURN = 2 * np.pi
-
 
 
 def branch_at(angle: float, room: Room, design: int, chamber: int, cycle: float) -> tuple[float, float]:

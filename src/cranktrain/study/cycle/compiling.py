@@ -30,12 +30,12 @@ class Direction(NamedTuple):
     sin: Array
 
 
-def cosine(angle: Direction) -> Array:
+def cosine(angle: Any) -> Array:
     """Cosine of an angle."""
     return angle.cos if isinstance(angle, Direction) else np.cos(angle)
 
 
-def sine(angle: Direction) -> Array:
+def sine(angle: Any) -> Array:
     """Sine of an angle."""
     return angle.sin if isinstance(angle, Direction) else np.sin(angle)
 
@@ -69,9 +69,18 @@ def plain_numpy() -> ModuleType:
     def of_direction(angle: object) -> bool:
         return getattr(angle, "instance_class", None) is Direction
 
-    overload(cosine, strict=False)(lambda angle: _cos_known if of_direction(angle) else _cos)
-    overload(sine, strict=False)(lambda angle: _sin_known if of_direction(angle) else _sin)
-    overload(not_asked, strict=False)(lambda _sine, _cosine: not_asked)
+    def compiled_cosine(angle: object) -> object:
+        return _cos_known if of_direction(angle) else _cos
+
+    def compiled_sine(angle: object) -> object:
+        return _sin_known if of_direction(angle) else _sin
+
+    def compiled_nothing(*_given: object) -> object:
+        return not_asked
+
+    overload(cosine, strict=False)(compiled_cosine)
+    overload(sine, strict=False)(compiled_sine)
+    overload(not_asked, strict=False)(compiled_nothing)
     module = ModuleType("plain_numpy")
     vars(module).update({name: thing for name, thing in vars(np).items() if isinstance(thing, np.ufunc | float)})
     vars(module).update(cos=cosine, sin=sine, arctan2=not_asked)
@@ -103,5 +112,5 @@ def loop(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcom
 def _compiled(function: Callable[Parameters, Outcome], **options: Any) -> Callable[Parameters, Outcome]:
     import numba
 
-    made: Any = numba.njit(error_model="numpy", fastmath=set(FASTER), _nrt=False, **options)
-    return made(function)
+    njit: Any = numba.njit
+    return njit(error_model="numpy", fastmath=set(FASTER), _nrt=False, **options)(function)

@@ -1,4 +1,4 @@
-"""What the compiled cycle is given: numbers of all designs as arrays, and room to work in; nothing of specs or words."""
+"""What the compiled cycle is given: numbers of all designs as arrays, and room to work in."""
 
 from typing import NamedTuple
 
@@ -15,7 +15,7 @@ class OfKind(NamedTuple):
 
     Attributes
     ----------
-    index, piston, master : array of int, shape (member,)
+    mechanism, piston, master : array of int, shape (member,)
         Which of the machine's mechanisms each is; which piston, −1 for none; on whose rod it hangs, −1 for the crank.
     joint : array of int, shape (member, reaction)
         Which of the machine's joints each reaction is; −1 for a share of its master's.
@@ -28,7 +28,7 @@ class OfKind(NamedTuple):
         In the mechanism's axes. [m/s²]
     """
 
-    index: Places
+    mechanism: Places
     piston: Places
     master: Places
     joint: Places
@@ -175,7 +175,7 @@ class Found(NamedTuple):
         Flywheels by each method, and what fluctuation each gives. [kg·m², 1]
     running : Array, shape (design, 5)
         Largest speed, its angle, smallest, its angle, mean over the crank angle. [rad/s, rad]
-    count : array of int, shape (design,)
+    n_panels : array of int, shape (design,)
         How many panels each design has; with their points kept where something else is asked of these.
     panel : Array, shape (design, 2, panel)
         Where each begins, and how wide it is. [rad]
@@ -195,7 +195,7 @@ class Found(NamedTuple):
     work: Array
     flywheel: Array
     running: Array
-    count: Places
+    n_panels: Places
     panel: Array
     row: Places
     angle: Array

@@ -5,6 +5,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
+from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 from types import CodeType, FunctionType
@@ -64,15 +65,15 @@ def _said_by(code: CodeType) -> Iterator[str]:
 
 def keep(compiled: Any, function: Callable[..., Any], *more: str) -> None:
     """Let Numba keep what it makes of a function, by all that this is made of and by more, not by its file alone."""
-    compiled._cache = _kept_caches(more)(function)  # noqa: SLF001 - there is no other way to say where and by what
+    compiled._cache = _kept_caches(more)(function)
 
 
 @cache
 def _kept_caches(more: tuple[str, ...]) -> Any:
     """Class of Numba's caches that know a function by what it is made of."""
-    from numba.core import caching
+    caching: Any = import_module("numba.core.caching")  # whose classes have no types
 
-    class Place(caching._CacheLocator):  # noqa: SLF001
+    class Place(caching._CacheLocator):
         """Where a function is kept, and what its name there is."""
 
         def __init__(self, function: Any) -> None:

@@ -62,10 +62,12 @@ def directions(panels: Panels, count: int, nodes: Nodes, work: Work) -> int:
 
 def shows(curves: Array, panels: Panels, count: int, nodes: Nodes) -> bool:
     """Whether the panels show all of some curves, shape (curve, point)."""
+    is_shown = True
     for curve in range(curves.shape[0]):
         if unresolved(curves[curve], panels, count, nodes, _RESOLVED):
-            return False
-    return True
+            is_shown = False
+            break
+    return is_shown
 
 
 def tell_torque(
@@ -122,7 +124,7 @@ def keep_panels(design: int, panels: Panels, count: int, nodes: Nodes, work: Wor
     n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
     if n_points > found.angle.shape[1]:
         return False
-    found.count[design] = count
+    found.n_panels[design] = count
     for panel in range(count):
         found.panel[design, 0, panel], found.panel[design, 1, panel] = panels.start[panel], panels.width[panel]
         found.row[design, panel] = panels.size[panel]
@@ -154,7 +156,7 @@ def tell_vectors(
         Largest size, its angle, mean size; NaN where the panels do not show a vector. [rad]
     """
     for design in range(first, last):
-        count = found.count[design]
+        count = found.n_panels[design]
         n_points = 0
         for panel in range(count):
             panels.start[panel], panels.width[panel] = found.panel[design, 0, panel], found.panel[design, 1, panel]
@@ -229,7 +231,7 @@ def tell_running(
         sizes[1] = (upper - lower) / (delta * speed * speed)
         sizes[2] = (most - least) / (delta * speed * speed)
         for method in range(3):
-            if not sizes[method] == sizes[method] or not fluctuation_of(
+            if sizes[method] != sizes[method] or not fluctuation_of(
                 stored, inertia, sizes[method], speed, panels, count, nodes, cycle, square, room, zero, given
             ):
                 return False
@@ -249,8 +251,7 @@ def _cosine(square: float) -> float:
     found = 1.0 - square * (1 / 56) * found
     found = 1.0 - square * (1 / 30) * found
     found = 1.0 - square * (1 / 12) * found
-    found = 1.0 - square * (1 / 2) * found
-    return found
+    return 1.0 - square * (1 / 2) * found
 
 
 def _sine_share(square: float) -> float:
@@ -265,5 +266,4 @@ def _sine_share(square: float) -> float:
     found = 1.0 - square * (1 / 72) * found
     found = 1.0 - square * (1 / 42) * found
     found = 1.0 - square * (1 / 20) * found
-    found = 1.0 - square * (1 / 6) * found
-    return found
+    return 1.0 - square * (1 / 6) * found

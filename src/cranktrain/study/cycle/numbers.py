@@ -1,6 +1,6 @@
 """Numbers of designs as the compiled cycle takes them, from what the layout and the stages have."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -14,12 +14,11 @@ from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.forces.solved_cycle import Member
 from cranktrain.questions.gas.chambers import GasInChambers
-from cranktrain.study.cycle.given import Found, OfFluid, OfKind, Room, Wanted, Work
-from cranktrain.study.cycle.panels import MOST_PANELS
+from cranktrain.study.cycle.given import Found, OfFluid, OfKind, Room, Work
 from cranktrain.study.cycle.nodes import SIZES
-from cranktrain.study.cycle.source import KindSource, Structure, shape_of
+from cranktrain.study.cycle.panels import MOST_PANELS
+from cranktrain.study.cycle.source import KindSource, Shape, Structure, shape_of
 from cranktrain.study.cycle.tops import MOST_TOPS
-
 
 MOST_POINTS = 2048
 """Points of a design that are kept."""
@@ -32,9 +31,7 @@ class NumbersOfKinds(NamedTuple):
     numbers: tuple[OfKind, ...]
 
 
-def of_kinds(
-    mechanisms: Mechanisms, masses: Masses, carriers: Carriers, joints: Sequence[Member]
-) -> NumbersOfKinds:
+def of_kinds(mechanisms: Mechanisms, masses: Masses, carriers: Carriers, joints: Sequence[Member]) -> NumbersOfKinds:
     """Numbers of all mechanisms, kind by kind."""
     n_designs = len(mechanisms.nominal_top)
     masters = frozenset(carriers.master[carriers.master >= 0].tolist())
@@ -66,7 +63,7 @@ def _numbers(
             joint[one.member, one.place] = row
     shape = n_designs, index.size
     return OfKind(
-        index=index,
+        mechanism=index,
         piston=carriers.piston[index],
         master=carriers.master[index],
         joint=joint,
@@ -88,7 +85,7 @@ def _side_by_side(parts: Sequence[Array], shape: tuple[int, ...]) -> Array:
 class NumbersOfGas(NamedTuple):
     """What of each fluid stands in the source, and the numbers of fluids and chambers."""
 
-    sources: tuple[tuple[AnyFluid, object], ...]
+    sources: tuple[tuple[AnyFluid, Shape], ...]
     numbers: tuple[OfFluid, ...]
     room: Room
 
@@ -96,9 +93,22 @@ class NumbersOfGas(NamedTuple):
 def of_gas(gas: GasInChambers | None, travel: CylinderTravel | None, n_designs: int) -> NumbersOfGas:
     """Numbers of the chambers and of what they hold; none without gas."""
     if gas is None or travel is None:
-        nothing, none = np.zeros((n_designs, 0)), np.zeros((0, 2), dtype=np.intp)
-        empty = np.zeros((n_designs, 0, 0))
-        room = Room(none, np.zeros((n_designs, 0, 2)), *[nothing] * 8, empty, np.zeros(0), np.zeros(0))
+        nothing, no_kinks = np.zeros((n_designs, 0)), np.zeros(0)
+        room = Room(
+            partner=np.zeros((0, 2), dtype=np.intp),
+            area=np.zeros((n_designs, 0, 2)),
+            start=nothing,
+            top=nothing,
+            ambient=nothing,
+            smallest=nothing,
+            largest=nothing,
+            firing=nothing,
+            least=nothing,
+            greatest=nothing,
+            kink=np.zeros((n_designs, 0, 0)),
+            sense=no_kinks,
+            turn=no_kinks,
+        )
         return NumbersOfGas((), (), room)
     partner, area = _partners(gas)
     least, greatest = gas.dead_centres(travel)
@@ -186,7 +196,6 @@ def room_to_work(structure: Structure, room: Room, n_mechanisms: int, n_pistons:
 
 def nothing_found(structure: Structure, work: Work, n_designs: int) -> Found:
     """Room for the facts of all designs, of which none is known yet."""
-
     keeps = "points" in structure.asks
 
     def unknown(*shape: int) -> Array:
@@ -201,7 +210,7 @@ def nothing_found(structure: Structure, work: Work, n_designs: int) -> Found:
         work=unknown(),
         flywheel=unknown(6),
         running=unknown(5),
-        count=np.zeros(n_designs, dtype=np.intp),
+        n_panels=np.zeros(n_designs, dtype=np.intp),
         panel=np.zeros((n_designs, 2, MOST_PANELS if keeps else 0)),
         row=np.zeros((n_designs, MOST_PANELS if keeps else 0), dtype=np.intp),
         angle=np.zeros((n_designs, MOST_POINTS if keeps else 0)),

@@ -1,6 +1,6 @@
 """Results of stages by the facts of the compiled cycle, for those stages that look at a grid of crank angles."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import MISSING, fields
 from typing import Any, NamedTuple, TypeVar
 
@@ -135,7 +135,7 @@ def _crank_pin_loads(cycles: Cycles) -> CrankPinLoads:
         joint = batch.kind.dynamics.joint("crank_pin")
         if joint is not None:
             reaction = batch.kind.dynamics.reactions[joint]
-            rows = [cycles.joints.index(joint_label(names[i], reaction)) for i in batch.index.tolist()]
+            rows = [cycles.joints.index(joint_label(names[i], reaction)) for i in map(int, batch.index)]
             for whole, part in zip(largest, peaks[:2], strict=True):
                 whole[:, batch.index] = part[:, rows]
     return bare(CrankPinLoads, largest_crankpin_load=largest)
@@ -217,8 +217,7 @@ def _peaks(*names: str) -> frozenset[str]:
 ASKS: Mapping[type, FromLoop] = {
     GasPressures: FromLoop(
         "pressure",
-        _peaks("peak_pressure")
-        | {"indicated_work", "indicated_mean_pressure", "peak_pressure_after"},
+        _peaks("peak_pressure") | {"indicated_work", "indicated_mean_pressure", "peak_pressure_after"},
         gas_pressures,
     ),
     ShaftTorques: FromLoop("torque", _peaks("largest_torque", "smallest_torque") | {"mean_torque"}, _shaft_torques),
@@ -237,14 +236,10 @@ ASKS: Mapping[type, FromLoop] = {
     ),
     FlywheelSize: FromLoop(
         "flywheel",
-        frozenset(
-            {"flywheel_inertia", "wanted_flywheel_moment", "flywheel_inertia_error", "flywheel_fluctuation"}
-        ),
+        frozenset({"flywheel_inertia", "wanted_flywheel_moment", "flywheel_inertia_error", "flywheel_fluctuation"}),
         _flywheel_size,
     ),
-    MainBearingLoads: FromLoop(
-        "points", _peaks("largest_bearing_load") | {"mean_bearing_load"}, _main_bearing_loads
-    ),
+    MainBearingLoads: FromLoop("points", _peaks("largest_bearing_load") | {"mean_bearing_load"}, _main_bearing_loads),
 }
 """What stages give that look at a grid."""
 
@@ -262,8 +257,3 @@ GRIDLESS: frozenset[type] = frozenset(
     }
 )
 """Results whose facts are found without a grid, of what stands here and in `ASKS`."""
-
-
-def made(cycles: Cycles, kinds: "Iterator[type]") -> dict[type, Any]:
-    """Results of some classes by what the loop found."""
-    return {kind: ASKS[kind].made(cycles) for kind in kinds}

@@ -47,7 +47,7 @@ from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.study.cycle.compiling import called
 from cranktrain.study.cycle.disk import written_module
-from cranktrain.study.cycle.given import Found, Turning, Wanted
+from cranktrain.study.cycle.given import Turning, Wanted
 from cranktrain.study.cycle.loops import tell_vectors
 from cranktrain.study.cycle.nodes import nodes
 from cranktrain.study.cycle.numbers import NumbersOfKinds, nothing_found, of_gas, of_kinds, room_to_work
@@ -253,7 +253,7 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: Way) -> Cycles:
     mechanisms, carriers, speed, masses = (parts.get(kind) for kind in (Mechanisms, Carriers, Speed, Masses))
     joints = joints_of(LoadedMachine(mechanisms, carriers, masses, None, None, speed))
     kinds = of_kinds(mechanisms, masses, carriers, joints)
-    known = {**parts, CrankAngle: crank_angle}
+    known: Parts = {**parts, CrankAngle: crank_angle}
     if Pistons in parts:
         centres = _dead_centres(kinds, parts, n_designs)
         nothing = np.empty((*centres.stroke.shape, 0))
@@ -319,7 +319,5 @@ def _dead_centres(kinds: NumbersOfKinds, parts: Any, n_designs: int) -> DeadCent
     around = np.stack([angle, np.cos(angle), np.sin(angle)])
     found = np.full((n_designs, len(pistons.names), 2, 2), np.nan)
     written_module(written_turning(kinds.sources)).turning_points(0, n_designs, *kinds.numbers, around, found)
-    top, bottom = (
-        Extreme(found[:, :, end, :1] - pistons.nominal_top, found[:, :, end, 1:]) for end in range(2)
-    )
+    top, bottom = (Extreme(found[:, :, end, :1] - pistons.nominal_top, found[:, :, end, 1:]) for end in range(2))
     return dead_centres_at(top, bottom, pistons, parts[CrankAngle], parts.get(InCylinders))

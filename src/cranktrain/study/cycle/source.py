@@ -162,9 +162,7 @@ _PARTS = ("branch_at", "nearer", "cut_cycle", "directions", "own_edges", "shows"
 """What is the same for all machines, by its name in the source."""
 
 
-def _kernels(
-    called: Mapping[str, Callable[..., Any]], parts: Sequence[str], imports: _Imports
-) -> Iterator[str]:
+def _kernels(called: Mapping[str, Callable[..., Any]], parts: Sequence[str], imports: _Imports) -> Iterator[str]:
     """Compiled kernels by their names, and what else is called."""
     for name, kernel in called.items():
         yield f"{name} = kernel({imports.name(kernel)})"
@@ -242,7 +240,7 @@ def _volume(structure: Structure, imports: _Imports) -> Iterator[str]:
     for place, one in enumerate(structure.kinds):
         if not one.has_pistons:
             continue
-        yield f"    for member in range(k{place}.index.size):"
+        yield f"    for member in range(k{place}.mechanism.size):"
         yield "        for partner in range(2):"
         yield f"            piston = k{place}.piston[member]"
         yield "            if piston >= 0 and room.partner[chamber, partner] == piston:"
@@ -267,7 +265,7 @@ def _turning(kinds: Sequence[KindSource], imports: _Imports) -> Iterator[str]:
         if not one.has_pistons:
             continue
         motion = f"motion = motion_{place}({_CRANK}, size)"
-        yield f"        for member in range(k{place}.index.size):"
+        yield f"        for member in range(k{place}.mechanism.size):"
         yield from _indented(_member(place, one, imports), 3)
         yield "            for end in range(2):"
         yield "                sign, best, angle = 1.0 - 2.0 * end, -np.inf, 0.0"
@@ -317,7 +315,7 @@ def _fill(structure: Structure, imports: _Imports) -> Iterator[str]:
 
 def _pistons(place: int, one: KindSource, imports: _Imports) -> Iterator[str]:
     """How far pistons of one kind are from their shafts."""
-    yield f"    for member in range(k{place}.index.size):"
+    yield f"    for member in range(k{place}.mechanism.size):"
     yield f"        piston = k{place}.piston[member]"
     yield from _indented(_member(place, one, imports), 2)
     yield "        slider, push = work.slider[piston], work.push[piston]"
@@ -366,13 +364,13 @@ def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: _Imports)
 def _forces(place: int, one: KindSource, structure: Structure, imports: _Imports) -> Iterator[str]:
     """Forces of the mechanisms of one kind, and what they do to the shaft."""
     dynamics, asks = one.kind.dynamics, structure.asks
-    yield f"    for member in range(k{place}.index.size):"
+    yield f"    for member in range(k{place}.mechanism.size):"
     yield from _indented([*_member(place, one, imports), *_bodies(place, one)], 2)
     is_slave = dynamics.on_master is not None
     if one.has_pistons and structure.fluids:
         yield f"        piston = k{place}.piston[member]"
     if one.has_slaves or is_slave:
-        yield f"        master = k{place}.{'master' if is_slave else 'index'}[member]"
+        yield f"        master = k{place}.{'master' if is_slave else 'mechanism'}[member]"
     joints = [place for place, reaction in enumerate(dynamics.reactions) if reaction.on in dynamics.moving]
     if "joint" in asks:
         for number in joints:
@@ -473,9 +471,7 @@ def _cycle(structure: Structure) -> list[str]:
     if "points" in structure.asks:
         known += " and keep_panels(design, panels, count, nodes, work, found)"
     told.append(f"                found.is_known[design] = {known}")
-    return _CYCLE.format(
-        head=own, arguments=arguments, gas=gas, shown=shown, told="\n".join(told)
-    ).splitlines()
+    return _CYCLE.format(head=own, arguments=arguments, gas=gas, shown=shown, told="\n".join(told)).splitlines()
 
 
 _CURVES = {"pressure": "work.pressure", "joint": "work.joint_x", "rod": "work.rod[1]"}

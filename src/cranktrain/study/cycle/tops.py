@@ -1,5 +1,7 @@
 """Largest values of curves that are known at Chebyshev's points of panels; plain loops, which compile."""
 
+from typing import Any
+
 import numpy as np
 
 from cranktrain.motion import Array
@@ -59,7 +61,7 @@ def highest(
         has_series = False
         for node in range(nodes.size[row]):
             height = sign * values[first + node]
-            if height < enough or n_tops == MOST_TOPS:
+            if height < enough or n_tops >= MOST_TOPS:
                 continue
             before = sign * values[first + node - 1] if node > 0 or panel > 0 else sign * values[last]
             after = sign * values[first + node + 1] if node < nodes.size[row] - 1 else -np.inf
@@ -101,7 +103,7 @@ def largest_size(
         for node in range(nodes.size[row]):
             point = first + node
             square = x[point] * x[point] + y[point] * y[point]
-            if square < enough or n_tops == MOST_TOPS:
+            if square < enough or n_tops >= MOST_TOPS:
                 continue
             beside = point - 1 if point > 0 else last
             before = x[beside] * x[beside] + y[beside] * y[beside]
@@ -167,7 +169,7 @@ def _integral_of_size(x: Array, y: Array, start: float, width: float, row: int, 
 
 
 def _polished(
-    series: Array, sign: float, height: float, alike: float, node: int, row: int, nodes: Nodes
+    series: Array, sign: float, height: Any, alike: float, node: int, row: int, nodes: Nodes
 ) -> tuple[float, float]:
     """Top of a series about a point of its panel, by Newton's method: where in [−1, 1], and sign times its value.
 
@@ -187,7 +189,7 @@ def _polished(
     return (way, at) if at >= height else (nodes.place[row, node], height)
 
 
-def _polished_size(x: Array, y: Array, square: float, node: int, row: int, nodes: Nodes) -> tuple[float, float]:
+def _polished_size(x: Array, y: Array, square: Any, node: int, row: int, nodes: Nodes) -> tuple[float, float]:
     """Top of the square of a vector by the series of its components; as `_polished`."""
     size = nodes.size[row]
     low, high = nodes.place[row, max(node - 1, 0)], nodes.place[row, min(node + 1, size - 1)]

@@ -27,7 +27,7 @@ class Cluster(AbstractContextManager["Cluster"]):
     Parameters
     ----------
     compute : callable
-        What makes facts of a span of designs; each task has it with it, so that a worker that joins later needs nothing else.
+        What makes facts of a span of designs; each task has it with it: a worker that joins later needs nothing else.
     scheduler : str or distributed.Client
         Its address, `tcp://HOST:8786`; or whoever knows it, who is left open.
 

@@ -98,7 +98,11 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
     if blocks is not None and not missing:
         return Sweep(plan.machine, designs, store.found())
     n_together = compute.n_together
-    tried = _tried(compute, max(_TRIED, n_together // _TRIED_OF), *((0, len(designs)) if blocks is None else blocks.span(missing[0])))
+    tried = _tried(
+        compute,
+        max(_TRIED, n_together // _TRIED_OF),
+        *((0, len(designs)) if blocks is None else blocks.span(missing[0])),
+    )
     n_left = len(designs) if blocks is None else sum(after - first for first, after in map(blocks.span, missing))
     seconds = (n_left - len(tried.found.refused)) * tried.each
     if not is_meant and scheduler is None and seconds / processes > _LONG:

@@ -108,7 +108,14 @@ class FactsOfSweep:
 
 
 def facts_of_designs(
-    machine: Machine, designs: SweptDesigns, first: int, last: int, wanted: Sequence[str], *, over_time: bool = False, n_all: int | None = None
+    machine: Machine,
+    designs: SweptDesigns,
+    first: int,
+    last: int,
+    wanted: Sequence[str],
+    *,
+    over_time: bool = False,
+    n_all: int | None = None,
 ) -> FactsOfRows:
     """Compute facts of some designs of a sweep, as of their rows.
 
