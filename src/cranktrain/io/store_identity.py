@@ -76,8 +76,8 @@ def _values(there: object, here: object, path: PathParts = ()) -> Iterator[str]:
 
 def _alone(value: object) -> object:
     """A value without its status, note and source."""
-    is_told = isinstance(value, Mapping) and not is_table(value)
-    return cast("Mapping[str, object]", value)["value"] if is_told else value
+    told = cast("Mapping[str, object]", value) if isinstance(value, Mapping) else {}
+    return told.get("value", value)
 
 
 def _said(value: object) -> str:
