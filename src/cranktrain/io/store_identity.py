@@ -76,8 +76,10 @@ def _values(there: object, here: object, path: PathParts = ()) -> Iterator[str]:
 
 def _alone(value: object) -> object:
     """A value without its status, note and source."""
-    told = cast("Mapping[str, object]", value) if isinstance(value, Mapping) else {}
-    return told.get("value", value)
+    if is_table(value) or not isinstance(value, Mapping):
+        return value
+    told = cast("Mapping[str, object]", value)
+    return told["value"]
 
 
 def _said(value: object) -> str:
