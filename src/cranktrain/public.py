@@ -88,13 +88,8 @@ def run(
 
 @overload
 def start(
-    machine: "MachineLike",
-    *,
-    set: "Mapping[str, object] | None" = None,
-    progress: "Progress | None" = None,
+    machine: "MachineLike", *, set: "Mapping[str, object] | None" = None, progress: "Progress | None" = None
 ) -> "Start": ...
-
-
 @overload
 def start(machine: "Sequence[MachineLike]", *, set: "Mapping[str, object] | None" = None) -> "Starts": ...
 
@@ -114,44 +109,31 @@ def start(
     set : mapping of str, optional
         Other values by path, as `Machine.with_` takes them; for all of several.
     progress : callable, optional
-        Told the time, the crank angle and the speed that the run has come to; with it Ctrl-C ends the run, and what was
-        computed so far is kept. Of one machine alone. [s, rad, rad/s]
+        Told time, angle and speed that one machine has come to [s, rad, rad/s]; Ctrl-C then keeps what was computed.
 
     Returns
     -------
     Start or Starts
-        Its `time` and curves by name, `events`, `rows()` and `dataset`. Of several the facts of each by name, arrays
-        along the designs, NaN and a sentence in `refused` where one cannot start; `found[2]` is the start of one with
-        its curves. Many are run compiled where Numba is installed (`pip install 'cranktrain[fast]'`), to the same
-        numbers.
+        Its `time` and curves by name, `events`, `rows()` and `dataset`. Of several their facts, arrays along the
+        designs, NaN and a sentence in `refused` where one cannot start; `found[2]` is the start of one with its curves.
 
     Raises
     ------
     InputError
-        With everything that is wrong with the machine, or what it lacks for a start; of several where they differ in
-        more than numbers, or none can start.
+        With everything that is wrong with the machine, or what it lacks for a start; where none of several can start.
 
     Examples
     --------
-    >>> found = start("tilting_table", set={"drive.start.duration": "0.5 s"})
-    >>> found.motor_torque.shape == found.time.shape
-    True
-    >>> from cranktrain import load
-    >>> table = load("tilting_table")
-    >>> both = start([table.with_({"drive.stage[0].ratio": ratio}) for ratio in (30, 40)])
-    >>> [round(float(seconds), 2) for seconds in both.start_duration]
-    [4.16, 4.91]
+    >>> float(start("tilting_table", set={"drive.start.duration": "0.5 s"}).time[-1])
+    0.5
     """
-    from cranktrain.study.start import start as run_over_time
+    from cranktrain.study import starts
 
     sources, are_several = sources_of(machine, set, partial=False)
     if are_several:
-        from cranktrain.study.starts import starts  # only where there are several
-
-        refuse([] if progress is None else [Problem("progress", None, _("is told of one machine alone"))])
-        return starts([source.machine for source in sources], placed=[source.placed for source in sources])
+        return starts.starts([one.machine for one in sources], [one.placed for one in sources], progress=progress)
     with problems_as(sources[0].placed):
-        return run_over_time(sources[0].machine, progress=progress)
+        return starts.start(sources[0].machine, progress=progress)
 
 
 def sweep(

@@ -18,6 +18,7 @@ from cranktrain.saying.run import Run
 from cranktrain.saying.sections import Column, Grid, PagePart, section
 from cranktrain.study.facts_of_starts import FactsOfStarts, facts_of_starts
 from cranktrain.study.start import Start, start
+from cranktrain.transient.runs import Progress
 
 FACTS_SHOWN = ("start_duration", "largest_motor_torque", "effective_motor_torque", "final_motor_heat")
 """Of starts, unless others are asked for."""
@@ -126,7 +127,12 @@ class Starts(Run):
             yield _("{n} of {all} starts: {why}", n=len(places), all=len(self), why=words)
 
 
-def starts(machines: Sequence[Machine], placed: Sequence[Callable[[Problem], Problem]] = ()) -> Starts:
+def starts(
+    machines: Sequence[Machine],
+    placed: Sequence[Callable[[Problem], Problem]] = (),
+    *,
+    progress: Progress | None = None,
+) -> Starts:
     """Run designs of one machine with their motors over time, as [drive.start] of each says.
 
     Parameters
@@ -135,6 +141,8 @@ def starts(machines: Sequence[Machine], placed: Sequence[Callable[[Problem], Pro
         With [drive]; they differ in numbers alone.
     placed : sequence of callable, optional
         Of each design: puts what is wrong with it to where that stands.
+    progress : callable, optional
+        Refused, as it is told of one machine alone.
 
     Returns
     -------
@@ -147,6 +155,7 @@ def starts(machines: Sequence[Machine], placed: Sequence[Callable[[Problem], Pro
     InputError
         Where designs differ in more than numbers, or none of them can start.
     """
+    refuse([] if progress is None else [Problem("progress", None, _("is told of one machine alone"))])
     refuse([] if machines else [Problem("machine", None, _("must be at least one design"))])
     refuse(dict.fromkeys(differences(machines)))
     wrong = {place: found[0] for place, one in enumerate(machines) if (found := machine_problems(one))}
