@@ -1,6 +1,8 @@
 """Quick tests, by what all took: `pytest -m quick` takes less than a minute, `pytest --measure` measures anew."""
 
+import os
 from collections import defaultdict
+from tempfile import mkdtemp
 
 import pytest
 from tests.beside import start_type_checker
@@ -15,6 +17,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     """Name the marker."""
     config.addinivalue_line("markers", "quick: most tests, at least one case of nearly each, in less than a minute")
+    # What is compiled is kept for all workers of this run, and for no other.
+    os.environ.setdefault("CRANKTRAIN_CACHE", mkdtemp(prefix="cranktrain-"))
     if config.option.measure and not hasattr(config, "workerinput"):
         config.pluginmanager.register(_Stopwatch())
 

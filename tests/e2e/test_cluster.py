@@ -8,6 +8,7 @@ from tests.swept import same
 
 import cranktrain as ct
 from cranktrain.study.sweep import computed, swept
+from cranktrain.study.sweep.facts import FactsOfSweep
 
 distributed = pytest.importorskip("distributed")
 
@@ -54,13 +55,11 @@ def test_a_scheduler_that_goes_away(cluster, tmp_path):
 
     n_kept = int((zarr.open_group(path, mode="r")["status"][:] > 0).sum())
     assert 10 <= n_kept < 500
-    n_rows, facts = [], computed.facts_of_rows
+    n_rows, facts = [], FactsOfSweep.__call__
     monkey = pytest.MonkeyPatch()
     with monkey.context() as patched:
         patched.setattr(
-            computed,
-            "facts_of_rows",
-            lambda machine, rows, **how: (n_rows.append(len(rows)), facts(machine, rows, **how))[1],
+            FactsOfSweep, "__call__", lambda own, span: (n_rows.append(span[1] - span[0]), facts(own, span))[1]
         )
         found = ct.sweep(MACHINE, vary, WANTED, store=path, resume=True)
     assert sum(n_rows) == 500 - n_kept

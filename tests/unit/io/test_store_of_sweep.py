@@ -11,6 +11,7 @@ from tests.swept import MACHINE, VARY, WANTED, same
 import cranktrain as ct
 from cranktrain.io.store_of_sweep import SweepStore
 from cranktrain.study.sweep import computed, swept
+from cranktrain.study.sweep.facts import FactsOfSweep
 
 local = pytest.importorskip("zarr.storage._local")
 xarray = pytest.importorskip("xarray")
@@ -82,11 +83,9 @@ def test_it_goes_on_with_what_is_missing(path, in_memory, monkeypatch, most):
     with xarray.open_zarr(path) as dataset:
         assert int((dataset.status > 0).sum()) == most * 6
     n_rows = []
-    facts = computed.facts_of_rows
+    facts = FactsOfSweep.__call__
     monkeypatch.setattr(
-        computed,
-        "facts_of_rows",
-        lambda machine, rows, **wanted: (n_rows.append(len(rows)), facts(machine, rows, **wanted))[1],
+        FactsOfSweep, "__call__", lambda own, span: (n_rows.append(span[1] - span[0]), facts(own, span))[1]
     )
     same(ct.sweep(MACHINE, VARY, WANTED, store=path, resume=True), in_memory)
     assert sum(n_rows) == 39 - most * 6

@@ -98,7 +98,7 @@ def test_processes_that_are_killed_at_any_moment(monkeypatch):
     monkeypatch.setattr(computed, "_designs_of_block", lambda *_known: 40)
     monkeypatch.setattr(computed, "_WORTH", 0.0)
     monkeypatch.setattr("cranktrain.study.sweep.processes.TRIES", 100)
-    machine, vary = ct.load("vaz_21213"), {"rod_length": "100..170 mm:1200"}
+    machine, vary = ct.load("vaz_21213"), {"rod_length": "100..170 mm:990"}
     chosen, is_over, kills = random.Random(53), threading.Event(), []
 
     def kill():

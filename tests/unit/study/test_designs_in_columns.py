@@ -19,12 +19,20 @@ from cranktrain.study.sweep.designs import designs_in_columns
 from cranktrain.study.sweep.places import words_of
 from cranktrain.study.sweep.refused import UnsaidProblem
 from cranktrain.study.sweep.rules import judged_together
-from cranktrain.study.sweep.varied import combined_designs, paths_in, rows_listed
+from cranktrain.study.sweep.varied import SweptDesigns, Varied, combined_designs, paths_in
 
 MACHINE = ct.Machine(mechanism=slider(crank_radius="40 mm", rod_length="136 mm"), shaft={"main": {"speed": "1500 rpm"}})
 EXAMPLES = sorted(path.name[:-5] for path in files("cranktrain.examples").iterdir() if path.name.endswith(".toml"))
 N_PATHS = 5
 """Of each example."""
+
+
+def rows_listed(rows):
+    """Take designs by their rows, as `SweptDesigns.rows` gives them."""
+    paths = dict.fromkeys(path for row in rows for path in row)
+    return SweptDesigns(
+        tuple(Varied(path, path, tuple(row.get(path) for row in rows), None, "") for path in paths), is_listed=True
+    )
 
 
 def numbers_typed(machine):

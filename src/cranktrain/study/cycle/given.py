@@ -96,14 +96,11 @@ class Wanted(NamedTuple):
 
     Attributes
     ----------
-    has_work : bool
-        Whether anything is.
     inertia : Array, shape (design, 1), or (design, 0) where there is no flywheel
         [kg·m²]
     coefficient : Array, shape (design, 1), or (design, 0) where none is wanted
     """
 
-    has_work: bool
     inertia: Array
     coefficient: Array
 

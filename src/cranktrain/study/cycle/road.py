@@ -309,7 +309,7 @@ def _wanted(parts: Any, way: Way, n_designs: int) -> Wanted:
         inertia = _each(parts[GivenFlywheel].inertia[:, np.newaxis, np.newaxis], n_designs)[:, np.newaxis]
     if "flywheel" in way.asks:
         coefficient = _each(parts[WantedCoefficient].value[:, np.newaxis, np.newaxis], n_designs)[:, np.newaxis]
-    return Wanted(bool(way.asks & _OF_EVENNESS), inertia, coefficient)
+    return Wanted(inertia, coefficient)
 
 
 def _dead_centres(kinds: NumbersOfKinds, parts: Any, n_designs: int) -> DeadCentres:

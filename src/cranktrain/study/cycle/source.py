@@ -13,6 +13,19 @@ from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
 from cranktrain.questions.forces.rod_masses import weighed_ends
+from cranktrain.study.cycle.chambers import branch_at, nearer, toward_end
+from cranktrain.study.cycle.loops import (
+    cut_cycle,
+    directions,
+    keep_panels,
+    own_edges,
+    shows,
+    tell_chambers,
+    tell_joints,
+    tell_rods,
+    tell_running,
+    tell_torque,
+)
 
 _INDENT = "    "
 
@@ -39,10 +52,11 @@ class KindSource:
     kind : Kind
     geometry : Shape
     n_links : int
+        Links that have bodies.
     has_slaves : bool
         Whether others hang on its rods.
-    rod : bool
-        Whether pistons hang on its rods, whose forces are asked.
+    has_pistons : bool
+        Whether its sliders are pistons.
     """
 
     kind: AnyKind
@@ -138,7 +152,7 @@ def written_turning(kinds: Sequence[KindSource]) -> Written:
     """Write the module whose function `turning_points` finds where pistons turn back."""
     imports = _Imports()
     called = {f"motion_{place}": one.kind.motion for place, one in enumerate(kinds) if one.has_pistons}
-    return _module(imports, [*_kernels(called, ("toward_end",), imports), *_turning(kinds, imports)], called)
+    return _module(imports, [*_kernels(called, (toward_end,), imports), *_turning(kinds, imports)], called)
 
 
 def _module(imports: _Imports, body: Sequence[str], called: Mapping[str, Callable[..., Any]]) -> Written:
@@ -149,25 +163,26 @@ def _module(imports: _Imports, body: Sequence[str], called: Mapping[str, Callabl
         "import numpy as np",
         "",
         *imports.lines(),
-        "from cranktrain.study.cycle.chambers import SETTLED, STEPS, TURN, branch_at, nearer, toward_end",
+        "from cranktrain.study.cycle.chambers import SETTLED, STEPS, TURN",
         "from cranktrain.study.cycle.compiling import Direction, called, kernel, loop, part",
-        "from cranktrain.study.cycle.loops import FINEST, cut_cycle, directions, keep_panels, own_edges, shows",
-        "from cranktrain.study.cycle.loops import tell_chambers, tell_joints, tell_rods, tell_running, tell_torque",
+        "from cranktrain.study.cycle.loops import FINEST",
         "",
     ]
     return Written("\n".join([*head, *body, ""]), tuple(called.values()))
 
 
-_PARTS = ("branch_at", "nearer", "cut_cycle", "directions", "own_edges", "shows")
-"""What is the same for all machines, by its name in the source."""
+_PARTS = (branch_at, nearer, cut_cycle, directions, own_edges, shows)
+"""What is the same for all machines, whatever is asked."""
 
 
-def _kernels(called: Mapping[str, Callable[..., Any]], parts: Sequence[str], imports: _Imports) -> Iterator[str]:
+def _kernels(
+    called: Mapping[str, Callable[..., Any]], parts: Sequence[Callable[..., Any]], imports: _Imports
+) -> Iterator[str]:
     """Compiled kernels by their names, and what else is called."""
     for name, kernel in called.items():
         yield f"{name} = kernel({imports.name(kernel)})"
-    for name in parts:
-        yield f"{name} = called({name})"
+    for part in parts:
+        yield f"{part.__name__} = called({imports.name(part)})"
     yield ""
     yield ""
 
@@ -444,13 +459,13 @@ def _rod(one: KindSource) -> Iterator[str]:
     yield f"at_crank[point] = ends[{1 if dynamics.on_master is None else 0}]"
 
 
-def _told(structure: Structure) -> Iterator[str]:
-    """What tells the facts that are asked for, by its name in the source."""
+def _told(structure: Structure) -> Iterator[Callable[..., Any]]:
+    """What tells the facts that are asked for."""
     yield from (call for ask, call in _TOLD.items() if ask in structure.asks)
     if structure.needs_inertia:
-        yield "tell_running"
+        yield tell_running
     if "points" in structure.asks:
-        yield "keep_panels"
+        yield keep_panels
 
 
 def _cycle(structure: Structure) -> list[str]:
@@ -461,7 +476,7 @@ def _cycle(structure: Structure) -> list[str]:
     curves = [curve for ask, curve in _CURVES.items() if ask in structure.asks]
     shown = " and ".join(f"shows({curve}, panels, count, nodes)" for curve in ("work.torque[:1]", *curves))
     told = [
-        f"                {call}(design, panels, count, nodes, turning, work, found.{ask})"
+        f"                {call.__name__}(design, panels, count, nodes, turning, work, found.{ask})"
         for ask, call in _TOLD.items()
         if ask in structure.asks
     ]
@@ -476,7 +491,7 @@ def _cycle(structure: Structure) -> list[str]:
 
 _CURVES = {"pressure": "work.pressure", "joint": "work.joint_x", "rod": "work.rod[1]"}
 """What has to be shown by the panels, besides the torque, by what is asked."""
-_TOLD = {"torque": "tell_torque", "joint": "tell_joints", "pressure": "tell_chambers", "rod": "tell_rods"}
+_TOLD = {"torque": tell_torque, "joint": tell_joints, "pressure": tell_chambers, "rod": tell_rods}
 """What tells the facts that are asked for."""
 
 

@@ -20,7 +20,7 @@ from cranktrain.study.facts_of_starts import facts_of_starts
 from cranktrain.study.starts import Starts
 from cranktrain.study.sweep.compiled import designs_at_once, facts_compiled, way_compiled
 from cranktrain.study.sweep.designs import DesignsInColumns, designs_in_columns
-from cranktrain.study.sweep.varied import SweptDesigns, rows_listed
+from cranktrain.study.sweep.varied import SweptDesigns
 
 
 class FactsOfRows(NamedTuple):
@@ -51,31 +51,6 @@ class FactsOfRows(NamedTuple):
     failing: Sequence[Words]
     ended: Sequence[Words]
     flags: Sequence[tuple[Words, ...]]
-
-
-def facts_of_rows(
-    machine: Machine,
-    rows: Sequence[Mapping[str, object]],
-    wanted: Sequence[str],
-    *,
-    over_time: bool = False,
-    n_all: int | None = None,
-) -> FactsOfRows:
-    """Compute facts of designs, which differ from a machine in some values.
-
-    Parameters
-    ----------
-    machine : Machine
-    rows : sequence of mapping of str
-        The values of each, as `Machine.with_` takes them.
-    wanted : sequence of str
-        Names of facts.
-    over_time : bool
-        Whether they are of starts, and not of the cycle.
-    n_all : int, optional
-        How many designs there are, of which these are some.
-    """
-    return facts_of_designs(machine, rows_listed(rows), 0, len(rows), wanted, over_time=over_time, n_all=n_all)
 
 
 @record

@@ -153,14 +153,6 @@ def _different(listed: Varied) -> tuple[Varied, NDArray[np.intp]]:
     return replace(listed, values=tuple(listed.values[place] for place in first.tolist())), index
 
 
-def rows_listed(rows: Sequence[Mapping[str, object]]) -> SweptDesigns:
-    """Take designs by their rows, as `SweptDesigns.rows` gives them."""
-    paths = dict.fromkeys(path for row in rows for path in row)
-    return SweptDesigns(
-        tuple(Varied(path, path, tuple(row.get(path) for row in rows), None, "") for path in paths), is_listed=True
-    )
-
-
 def _shown(value: object) -> str:
     """A value in words: of a list its items; of a design that does not name it nothing."""
     if isinstance(value, list | tuple):
