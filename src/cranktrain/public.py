@@ -4,14 +4,13 @@ from collections.abc import Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial as with_arguments
-from typing import TYPE_CHECKING, cast, overload
+from typing import TYPE_CHECKING, overload
 
 from cranktrain import analysis
 from cranktrain.analysis import Result
 from cranktrain.analysis.comparison import Comparison, compared
-from cranktrain.errors import InputError, Problem, problems_as, refuse
-from cranktrain.io.any_machine import name_of, sources_of, values_of
-from cranktrain.language import Words
+from cranktrain.errors import InputError, Problem, problems_as
+from cranktrain.io.any_machine import name_of, names_in, sources_of, texts_in, values_of
 from cranktrain.language import said as _
 from cranktrain.quantities import shown_by, units_by_dimension
 
@@ -77,7 +76,7 @@ def run(
     0.19
     """
     sources, has_designs = sources_of(machine, set, partial=partial)
-    asked = _names_in(quantities)
+    asked = names_in(quantities)
     machines = tuple(source.machine for source in sources)
     found = with_arguments(analysis.run, speed=speed, step_degrees=step_degrees, partial=partial, quantities=asked)
     if has_designs:
@@ -196,7 +195,7 @@ def sweep(
     return any_swept(
         machine,
         vary,
-        _names_in(wanted),
+        names_in(wanted),
         set or {},
         over_time=over_time,
         processes=processes,
@@ -251,7 +250,7 @@ def compare(
     names = [name_of(first), name_of(named)]
     if second is None:
         names[1] = _("{name} with {values}", name=names[0], values=said)
-    asked = _names_in(quantities)
+    asked = names_in(quantities)
     one = _result(first, {} if second is None else values, asked)
     return compared((one, _result(named, values, asked)), (names[0], names[1]), asked)
 
@@ -374,30 +373,13 @@ def units(*names: str) -> Generator[None]:
     >>> in_inches.attrs["units"], round(float(in_inches[0]), 3), round(float(result.dataset["stroke"][0]), 3)
     ('in', 7.087, 0.18)
     """
-    texts = _texts("units", names, _("must be names of units, such as psi or in"))
+    texts = texts_in("units", names, _("must be names of units, such as psi or in"))
     each = [name.strip() for text in texts for name in text.split(",")]
     with shown_by(units_by_dimension(each, "units")):
         yield
 
 
 _EXAMPLE = '{"mechanism.rod_length": "140 mm"}'
-
-
-def _names_in(given: object) -> tuple[str, ...] | None:
-    """Names of results that are asked for; None for all."""
-    if given is None:
-        return None
-    is_one = isinstance(given, str) or not hasattr(given, "__iter__")
-    each = (given,) if is_one else tuple(cast("Iterable[object]", given))
-    allowed = _("must be names of results; result.catalogue has them")
-    refuse([] if each else [Problem("quantities", "[]", allowed)])
-    return _texts("quantities", each, allowed)
-
-
-def _texts(path: str, given: Sequence[object], allowed: Words) -> tuple[str, ...]:
-    """Refuse what is no text."""
-    refuse(Problem(path, repr(one), allowed) for one in given if not isinstance(one, str))
-    return tuple(one for one in given if isinstance(one, str))
 
 
 def _result(given: "MachineLike | Result", values: "Mapping[str, object]", asked: tuple[str, ...] | None) -> Result:

@@ -12,7 +12,7 @@ from cranktrain.columns import in_columns
 from cranktrain.errors import InputError
 from cranktrain.machine import machine_problems
 from cranktrain.quantities.number import rounded
-from cranktrain.study.cycle.road import FactsOfCycles, Way, facts_of_cycles, way_to
+from cranktrain.study.cycle.road import CompiledWay, FactsOfCycles, facts_of_cycles, way_to
 from cranktrain.study.sweep.typed import quantity_typed
 
 EXAMPLES = (
@@ -63,16 +63,16 @@ def designs(name: str, n_designs: int = N_DESIGNS) -> list[ct.Machine]:
 
 
 @cache
-def facts_by_both(name: str) -> tuple[Way, FactsOfCycles, ct.Result]:
+def facts_by_both(name: str) -> tuple[CompiledWay, FactsOfCycles, ct.Result]:
     machines = designs(name)
     result = ct.run(machines)
     wanted = [
         fact
         for fact, entry in result.catalogue.items()
-        if not result.is_curve(entry) and isinstance(way_to(machines[0], [fact]), Way)
+        if not result.is_curve(entry) and isinstance(way_to(machines[0], [fact]), CompiledWay)
     ]
     way = way_to(machines[0], wanted)
-    assert isinstance(way, Way)
+    assert isinstance(way, CompiledWay)
     return way, facts_of_cycles(in_columns(machines), len(machines), way), result
 
 

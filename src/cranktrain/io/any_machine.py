@@ -10,6 +10,7 @@ from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem, problems_as, refuse
 from cranktrain.io.curve_files import with_curves
 from cranktrain.io.machine_file import SET, load_with
+from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import Machine
@@ -179,3 +180,20 @@ def name_of(given: "MachineLike | Result") -> str:
     if isinstance(given, Mapping):
         return str(given.get("name", "")) or _("a dict")
     return getattr(given, "name", "") or str(given)
+
+
+def names_in(given: object) -> tuple[str, ...] | None:
+    """Names of results that are asked for; None for all."""
+    if given is None:
+        return None
+    is_one = isinstance(given, str) or not hasattr(given, "__iter__")
+    each = (given,) if is_one else tuple(cast("Iterable[object]", given))
+    allowed = _("must be names of results; result.catalogue has them")
+    refuse([] if each else [Problem("quantities", "[]", allowed)])
+    return texts_in("quantities", each, allowed)
+
+
+def texts_in(path: str, given: Sequence[object], allowed: Words) -> tuple[str, ...]:
+    """Refuse what is no text."""
+    refuse(Problem(path, repr(one), allowed) for one in given if not isinstance(one, str))
+    return tuple(one for one in given if isinstance(one, str))

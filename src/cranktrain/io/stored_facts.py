@@ -83,7 +83,7 @@ class StoredFacts:
         flags = Later(
             n_designs, lambda: [tuple(filter(None, text.split("\n"))) for text in self._texts(TextsOfDesigns.FLAGS)]
         )
-        values = ReadValues(tuple(self._entries), self.flat)
+        values = StoredValues(tuple(self._entries), self.flat)
         return FactsOfRows(dict(self._entries), dict(self._labels), values, refused, failing, ended, flags)
 
     def flat(self, name: str) -> Array:
@@ -134,7 +134,7 @@ class Later(Sequence[Item], Generic[Item]):
         return self._size
 
 
-class ReadValues(Mapping[str, Array]):
+class StoredValues(Mapping[str, Array]):
     """Arrays by name, read each time that one is asked for: they may be larger than memory together."""
 
     def __init__(self, names: tuple[str, ...], read: Callable[[str], Array]) -> None:

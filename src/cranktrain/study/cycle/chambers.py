@@ -3,12 +3,12 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.given import Room
+from cranktrain.study.cycle.given import ChamberNumbers
 
 TURN = 2 * np.pi
 
 
-def branch_at(angle: float, room: Room, design: int, chamber: int, cycle: float) -> tuple[float, float]:
+def branch_at(angle: float, room: ChamberNumbers, design: int, chamber: int, cycle: float) -> tuple[float, float]:
     """Sense and turn of a chamber at φ, by the strokes: as `chamber_state` finds them by the volume's slope."""
     after = angle - room.least[design, chamber]
     after -= cycle * np.floor(after / cycle)

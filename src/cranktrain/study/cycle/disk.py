@@ -1,4 +1,4 @@
-"""Written modules: one file for all machines of a structure, by what it and its kernels are made of."""
+"""WrittenLoops modules: one file for all machines of a structure, by what it and its kernels are made of."""
 
 import os
 import sys
@@ -11,12 +11,12 @@ from types import ModuleType
 
 from cranktrain.study.cycle import chambers, compiling, loops, nodes, panels, running, tops
 from cranktrain.study.cycle.kept import fingerprint, folder
-from cranktrain.study.cycle.source import Written
+from cranktrain.study.cycle.source import WrittenLoops
 
 _LOOPS = (chambers, compiling, loops, nodes, panels, running, tops)
 
 
-def written_module(written: Written) -> ModuleType:
+def loaded_loops(written: WrittenLoops) -> ModuleType:
     """Give a module that was written, as a file if it is not there; what Numba makes of it is kept beside it."""
     name = fingerprint(written.calls, written.source, *sorted(compiling.FASTER), *map(getsource, _LOOPS))
     return _imported(folder() / "cycles" / f"cycle_{name}.py", written.source)

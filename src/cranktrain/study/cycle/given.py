@@ -45,7 +45,7 @@ class OfFluid(NamedTuple):
     numbers: Array
 
 
-class Room(NamedTuple):
+class ChamberNumbers(NamedTuple):
     """The working chambers.
 
     Attributes
@@ -83,7 +83,7 @@ class Room(NamedTuple):
     turn: Array
 
 
-class Turning(NamedTuple):
+class TurningDesigns(NamedTuple):
     """How it turns: speed, and φ where the shown angle is 0, shape (design,); and the cycle. [rad/s, rad]"""
 
     speed: Array
@@ -91,7 +91,7 @@ class Turning(NamedTuple):
     cycle: float
 
 
-class Wanted(NamedTuple):
+class EvennessAsked(NamedTuple):
     """What is asked of how evenly it runs.
 
     Attributes
@@ -106,7 +106,7 @@ class Wanted(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Room for the curves of one design at the points of its panels, and for what they are made of.
+    """ChamberNumbers for the curves of one design at the points of its panels, and for what they are made of.
 
     Attributes
     ----------
@@ -177,7 +177,7 @@ class Found(NamedTuple):
     panel : Array, shape (design, 2, panel)
         Where each begins, and how wide it is. [rad]
     row : array of int, shape (design, panel)
-        Its size, as of `Nodes`.
+        Its size, as of `PanelNodes`.
     angle : Array, shape (design, point)
         φ of the points; beyond a design's own 0. [rad]
     push : Array, shape (design, piston, point)

@@ -5,7 +5,6 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
-from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 from types import CodeType, FunctionType
@@ -71,7 +70,9 @@ def keep(compiled: Any, function: Callable[..., Any], *more: str) -> None:
 @cache
 def _kept_caches(more: tuple[str, ...]) -> Any:
     """Class of Numba's caches that know a function by what it is made of."""
-    caching: Any = import_module("numba.core.caching")  # whose classes have no types
+    from numba.core import caching as untyped
+
+    caching: Any = untyped
 
     class Place(caching._CacheLocator):
         """Where a function is kept, and what its name there is."""

@@ -3,8 +3,8 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.given import Found, Room, Turning, Wanted, Work
-from cranktrain.study.cycle.nodes import Nodes
+from cranktrain.study.cycle.given import ChamberNumbers, EvennessAsked, Found, TurningDesigns, Work
+from cranktrain.study.cycle.nodes import PanelNodes
 from cranktrain.study.cycle.panels import Panels, cut, sorted_edges
 from cranktrain.study.cycle.running import exact_flywheel, fluctuation_of, integral_of, mean_of
 from cranktrain.study.cycle.tops import highest, largest_size, mean_size, unresolved
@@ -22,7 +22,7 @@ _ALIKE = 1e-9
 """Values that differ by less, in parts of the larger, are one."""
 
 
-def own_edges(design: int, turning: Turning, room: Room, panels: Panels) -> int:
+def own_edges(design: int, turning: TurningDesigns, room: ChamberNumbers, panels: Panels) -> int:
     """List φ of the dead centres of chambers; give how many there are."""
     n_edges, n_turns = 0, int(np.floor(turning.cycle / _TURN + 0.5))
     for turn in range(n_turns):
@@ -33,13 +33,15 @@ def own_edges(design: int, turning: Turning, room: Room, panels: Panels) -> int:
     return n_edges
 
 
-def cut_cycle(n_edges: int, finer: float, turning: Turning, panels: Panels, work: Work, nodes: Nodes) -> int:
+def cut_cycle(
+    n_edges: int, finer: float, turning: TurningDesigns, panels: Panels, work: Work, nodes: PanelNodes
+) -> int:
     """Cut a design's cycle at its edges; give how many panels there are."""
     kept = sorted_edges(panels.edge, n_edges, turning.cycle)
     return cut(panels, kept, turning.cycle, work.pole, work.away, finer, nodes)
 
 
-def directions(panels: Panels, count: int, nodes: Nodes, work: Work) -> int:
+def directions(panels: Panels, count: int, nodes: PanelNodes, work: Work) -> int:
     """Find cosine and sine of φ at all points of the panels; give how many there are.
 
     From the middle of each panel, by the series of cosine and sine: panels are no wider than these reach.
@@ -60,7 +62,7 @@ def directions(panels: Panels, count: int, nodes: Nodes, work: Work) -> int:
     return n_points
 
 
-def shows(curves: Array, panels: Panels, count: int, nodes: Nodes) -> bool:
+def shows(curves: Array, panels: Panels, count: int, nodes: PanelNodes) -> bool:
     """Whether the panels show all of some curves, shape (curve, point)."""
     is_shown = True
     for curve in range(curves.shape[0]):
@@ -71,7 +73,7 @@ def shows(curves: Array, panels: Panels, count: int, nodes: Nodes) -> bool:
 
 
 def tell_torque(
-    design: int, panels: Panels, count: int, nodes: Nodes, turning: Turning, work: Work, found: Array
+    design: int, panels: Panels, count: int, nodes: PanelNodes, turning: TurningDesigns, work: Work, found: Array
 ) -> None:
     """Find the largest and the smallest torque of a design; `found` is that of `Found`, as in all that follow."""
     zero, cycle, room = turning.zero[design], turning.cycle, work.tops
@@ -84,7 +86,7 @@ def tell_torque(
 
 
 def tell_joints(
-    design: int, panels: Panels, count: int, nodes: Nodes, turning: Turning, work: Work, found: Array
+    design: int, panels: Panels, count: int, nodes: PanelNodes, turning: TurningDesigns, work: Work, found: Array
 ) -> None:
     """Find the largest force in every joint."""
     zero, cycle, room = turning.zero[design], turning.cycle, work.tops
@@ -95,7 +97,7 @@ def tell_joints(
 
 
 def tell_chambers(
-    design: int, panels: Panels, count: int, nodes: Nodes, turning: Turning, work: Work, found: Array
+    design: int, panels: Panels, count: int, nodes: PanelNodes, turning: TurningDesigns, work: Work, found: Array
 ) -> None:
     """Find the largest pressure in every chamber."""
     zero, cycle, room = turning.zero[design], turning.cycle, work.tops
@@ -105,7 +107,7 @@ def tell_chambers(
 
 
 def tell_rods(
-    design: int, panels: Panels, count: int, nodes: Nodes, turning: Turning, work: Work, found: Array
+    design: int, panels: Panels, count: int, nodes: PanelNodes, turning: TurningDesigns, work: Work, found: Array
 ) -> None:
     """Find the largest force along every cylinder, of its wall, and along its rod at either pin."""
     zero, cycle, room = turning.zero[design], turning.cycle, work.tops
@@ -119,7 +121,7 @@ def tell_rods(
             found[design, piston, 2 * place], found[design, piston, 2 * place + 1] = value, angle
 
 
-def keep_panels(design: int, panels: Panels, count: int, nodes: Nodes, work: Work, found: Found) -> bool:
+def keep_panels(design: int, panels: Panels, count: int, nodes: PanelNodes, work: Work, found: Found) -> bool:
     """Keep panels of a design, with the gas's force at their points; give whether there was room for them."""
     n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
     if n_points > found.angle.shape[1]:
@@ -139,9 +141,9 @@ def keep_panels(design: int, panels: Panels, count: int, nodes: Nodes, work: Wor
 def tell_vectors(
     first: int,
     last: int,
-    nodes: Nodes,
+    nodes: PanelNodes,
     panels: Panels,
-    turning: Turning,
+    turning: TurningDesigns,
     found: Found,
     loads: Array,
     told: Array,
@@ -172,7 +174,7 @@ def tell_vectors(
 
 
 def _either_way(
-    curve: Array, panels: Panels, count: int, nodes: Nodes, zero: float, cycle: float, room: Array
+    curve: Array, panels: Panels, count: int, nodes: PanelNodes, zero: float, cycle: float, room: Array
 ) -> tuple[float, float]:
     """Largest size of a curve, and where that is."""
     up, most = highest(curve, 1.0, panels, count, nodes, zero, cycle, room)
@@ -189,9 +191,9 @@ def tell_running(
     design: int,
     panels: Panels,
     count: int,
-    nodes: Nodes,
-    turning: Turning,
-    wanted: Wanted,
+    nodes: PanelNodes,
+    turning: TurningDesigns,
+    wanted: EvennessAsked,
     work: Work,
     found: Found,
 ) -> bool:

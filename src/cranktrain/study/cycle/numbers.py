@@ -14,10 +14,10 @@ from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.forces.solved_cycle import Member
 from cranktrain.questions.gas.chambers import GasInChambers
-from cranktrain.study.cycle.given import Found, OfFluid, OfKind, Room, Work
+from cranktrain.study.cycle.given import ChamberNumbers, Found, OfFluid, OfKind, Work
 from cranktrain.study.cycle.nodes import SIZES
 from cranktrain.study.cycle.panels import MOST_PANELS
-from cranktrain.study.cycle.source import KindSource, Shape, Structure, shape_of
+from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape, shape_of
 from cranktrain.study.cycle.tops import MOST_TOPS
 
 MOST_POINTS = 2048
@@ -87,14 +87,14 @@ class NumbersOfGas(NamedTuple):
 
     sources: tuple[tuple[AnyFluid, Shape], ...]
     numbers: tuple[OfFluid, ...]
-    room: Room
+    room: ChamberNumbers
 
 
 def of_gas(gas: GasInChambers | None, travel: CylinderTravel | None, n_designs: int) -> NumbersOfGas:
     """Numbers of the chambers and of what they hold; none without gas."""
     if gas is None or travel is None:
         nothing, no_kinks = np.zeros((n_designs, 0)), np.zeros(0)
-        room = Room(
+        room = ChamberNumbers(
             partner=np.zeros((0, 2), dtype=np.intp),
             area=np.zeros((n_designs, 0, 2)),
             start=nothing,
@@ -117,7 +117,7 @@ def of_gas(gas: GasInChambers | None, travel: CylinderTravel | None, n_designs: 
     for one in gas.fillings:
         shape = n_designs, one.places.size
         numbers.append(OfFluid(one.places, _side_by_side(leaves(one.ready), shape)))
-    room = Room(
+    room = ChamberNumbers(
         partner=partner,
         area=area,
         start=_of_designs(gas.start[..., 0], n_designs),
@@ -167,8 +167,10 @@ def _kinks(gas: GasInChambers) -> tuple[Array, Array, Array]:
     return volume, sense, turn
 
 
-def room_to_work(structure: Structure, room: Room, n_mechanisms: int, n_pistons: int, n_joints: int) -> Work:
-    """Room for the curves of one design."""
+def room_to_work(
+    structure: CycleStructure, room: ChamberNumbers, n_mechanisms: int, n_pistons: int, n_joints: int
+) -> Work:
+    """ChamberNumbers for the curves of one design."""
     n_points, n_chambers = MOST_PANELS * max(SIZES), len(room.partner)
     asks = structure.asks
     n_pressures = n_chambers if "pressure" in asks else 0
@@ -194,8 +196,8 @@ def room_to_work(structure: Structure, room: Room, n_mechanisms: int, n_pistons:
     )
 
 
-def nothing_found(structure: Structure, work: Work, n_designs: int) -> Found:
-    """Room for the facts of all designs, of which none is known yet."""
+def nothing_found(structure: CycleStructure, work: Work, n_designs: int) -> Found:
+    """ChamberNumbers for the facts of all designs, of which none is known yet."""
     keeps = "points" in structure.asks
 
     def unknown(*shape: int) -> Array:

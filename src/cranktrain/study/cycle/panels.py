@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.nodes import Nodes
+from cranktrain.study.cycle.nodes import PanelNodes
 
 MOST_PANELS = 512
 """Of one design."""
@@ -26,11 +26,11 @@ class Panels(NamedTuple):
     start, width : Array, shape (panel,)
         [rad]
     size, first : array of int, shape (panel,)
-        Which of the sizes of `Nodes`, and the first of its points.
+        Which of the sizes of `PanelNodes`, and the first of its points.
     angle : Array, shape (point,)
         φ. [rad]
     edge : Array, shape (panel + 1,)
-        Room to sort events in.
+        ChamberNumbers to sort events in.
     """
 
     start: Array
@@ -41,8 +41,8 @@ class Panels(NamedTuple):
     edge: Array
 
 
-def panel_room(nodes: Nodes) -> Panels:
-    """Room for the panels of one design."""
+def panel_room(nodes: PanelNodes) -> Panels:
+    """ChamberNumbers for the panels of one design."""
     most = int(nodes.size[-1])
     start, width = np.zeros((2, MOST_PANELS))
     size, first = np.zeros((2, MOST_PANELS), dtype=np.intp)
@@ -68,7 +68,7 @@ def sorted_edges(edge: Array, n_edges: int, cycle: float) -> int:
     return kept
 
 
-def cut(panels: Panels, n_edges: int, cycle: float, poles: Array, away: Array, finer: float, nodes: Nodes) -> int:
+def cut(panels: Panels, n_edges: int, cycle: float, poles: Array, away: Array, finer: float, nodes: PanelNodes) -> int:
     """Cut the cycle at its edges, and further where poles are near.
 
     Parameters
@@ -82,7 +82,7 @@ def cut(panels: Panels, n_edges: int, cycle: float, poles: Array, away: Array, f
         φ beside which the curves have poles, and how far from the real axis. [rad]
     finer : float
         By what panels are narrower than usual.
-    nodes : Nodes
+    nodes : PanelNodes
 
     Returns
     -------

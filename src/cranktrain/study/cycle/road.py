@@ -46,14 +46,15 @@ from cranktrain.questions.motion.outputs import InCylinders
 from cranktrain.questions.motion.pistons import PistonMotion
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.study.cycle.compiling import called
-from cranktrain.study.cycle.disk import written_module
-from cranktrain.study.cycle.given import Turning, Wanted
+from cranktrain.study.cycle.disk import loaded_loops
+from cranktrain.study.cycle.given import EvennessAsked, TurningDesigns
 from cranktrain.study.cycle.loops import tell_vectors
 from cranktrain.study.cycle.nodes import nodes
 from cranktrain.study.cycle.numbers import NumbersOfKinds, nothing_found, of_gas, of_kinds, room_to_work
 from cranktrain.study.cycle.outcomes import ASKS, GRIDLESS, Cycles, bare
 from cranktrain.study.cycle.panels import panel_room
-from cranktrain.study.cycle.source import Structure, written_cycle, written_turning
+from cranktrain.study.cycle.source import written_cycle, written_turning
+from cranktrain.study.cycle.structure import CycleStructure
 
 _LOOKED_AT = 16
 """Points of the turn of which the best is where a dead centre is looked for."""
@@ -63,7 +64,7 @@ _OF_PEAKS = frozenset({"peak_pressure_at", "peak_pressure_after"})
 _OF_EVENNESS = frozenset({"work", "flywheel", "running"})
 
 
-class Way(NamedTuple):
+class CompiledWay(NamedTuple):
     """How the compiled cycle of a machine gives some facts.
 
     Attributes
@@ -106,7 +107,7 @@ class FactsOfCycles(NamedTuple):
     values: Mapping[str, Array]
 
 
-def way_to(machine: Machine, wanted: Sequence[str]) -> Way | Words:
+def way_to(machine: Machine, wanted: Sequence[str]) -> CompiledWay | Words:
     """Find how the compiled cycle of a machine gives some facts; or say why it does not.
 
     Parameters
@@ -141,7 +142,7 @@ def way_to(machine: Machine, wanted: Sequence[str]) -> Way | Words:
         return reason
     if asks & _OF_EVENNESS and (reason := _no_evenness(parts)) is not None:
         return reason
-    return Way(
+    return CompiledWay(
         {name: home[name].gives for name in wanted}, tuple(kind for kind in ASKS if kind in rests), frozenset(asks)
     )
 
@@ -214,7 +215,7 @@ def _no_bearings(parts: Parts) -> Words | None:
     return None
 
 
-def facts_of_cycles(together: Machine, n_designs: int, way: Way) -> FactsOfCycles:
+def facts_of_cycles(together: Machine, n_designs: int, way: CompiledWay) -> FactsOfCycles:
     """Find facts of designs that stand together in the columns of one machine.
 
     Parameters
@@ -222,7 +223,7 @@ def facts_of_cycles(together: Machine, n_designs: int, way: Way) -> FactsOfCycle
     together : Machine
         With which nothing is wrong, in any design.
     n_designs : int
-    way : Way
+    way : CompiledWay
         Of one of them, by `way_to`.
     """
     with np.errstate(all="ignore"):
@@ -246,7 +247,7 @@ def _designs(together: Machine, n_designs: int) -> list[Design]:
     return [row_of(together, 0).design] * n_designs
 
 
-def _cycles(together: Machine, parts: Any, n_designs: int, way: Way) -> Cycles:
+def _cycles(together: Machine, parts: Any, n_designs: int, way: CompiledWay) -> Cycles:
     """Find the cycles of all designs."""
     grid: CrankAngle = parts[CrankAngle]
     crank_angle = replace(grid, shown=np.empty(0))
@@ -267,14 +268,16 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: Way) -> Cycles:
     has_gas = GasPressures in way.from_loop
     run.find([GasInChambers, CylinderTravel, SweptVolumes] if has_gas else [])
     gas = of_gas(run[GasInChambers] if has_gas else None, run[CylinderTravel] if has_gas else None, n_designs)
-    structure = Structure(kinds.sources, gas.sources, way.asks)
+    structure = CycleStructure(kinds.sources, gas.sources, way.asks)
     work = room_to_work(structure, gas.room, len(mechanisms.names), carriers.driven.size, len(joints))
     found = nothing_found(structure, work, n_designs)
     tables = nodes()
-    turning = Turning(_each(speed.value, n_designs), _each(crank_angle.zero, n_designs), float(crank_angle.cycle))
+    turning = TurningDesigns(
+        _each(speed.value, n_designs), _each(crank_angle.zero, n_designs), float(crank_angle.cycle)
+    )
     if way.asks:
         given = (*kinds.numbers, *gas.numbers, gas.room, turning, _wanted(parts, way, n_designs))
-        loop = written_module(written_cycle(structure)).cycle
+        loop = loaded_loops(written_cycle(structure)).cycle
         loop(0, n_designs, *given, tables, panel_room(tables), work, found)
     else:
         found.is_known[:] = True
@@ -301,7 +304,7 @@ def _each(value: Array, n_designs: int) -> Array:
     return found
 
 
-def _wanted(parts: Any, way: Way, n_designs: int) -> Wanted:
+def _wanted(parts: Any, way: CompiledWay, n_designs: int) -> EvennessAsked:
     """What is asked of how evenly designs run."""
     nothing = np.empty((n_designs, 0))
     inertia, coefficient = nothing, nothing
@@ -309,7 +312,7 @@ def _wanted(parts: Any, way: Way, n_designs: int) -> Wanted:
         inertia = _each(parts[GivenFlywheel].inertia[:, np.newaxis, np.newaxis], n_designs)[:, np.newaxis]
     if "flywheel" in way.asks:
         coefficient = _each(parts[WantedCoefficient].value[:, np.newaxis, np.newaxis], n_designs)[:, np.newaxis]
-    return Wanted(inertia, coefficient)
+    return EvennessAsked(inertia, coefficient)
 
 
 def _dead_centres(kinds: NumbersOfKinds, parts: Any, n_designs: int) -> DeadCentres:
@@ -318,6 +321,6 @@ def _dead_centres(kinds: NumbersOfKinds, parts: Any, n_designs: int) -> DeadCent
     angle = turn_grid(_LOOKED_AT)
     around = np.stack([angle, np.cos(angle), np.sin(angle)])
     found = np.full((n_designs, len(pistons.names), 2, 2), np.nan)
-    written_module(written_turning(kinds.sources)).turning_points(0, n_designs, *kinds.numbers, around, found)
+    loaded_loops(written_turning(kinds.sources)).turning_points(0, n_designs, *kinds.numbers, around, found)
     top, bottom = (Extreme(found[:, :, end, :1] - pistons.nominal_top, found[:, :, end, 1:]) for end in range(2))
     return dead_centres_at(top, bottom, pistons, parts[CrankAngle], parts.get(InCylinders))

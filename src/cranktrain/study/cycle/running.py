@@ -3,7 +3,7 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.nodes import Nodes
+from cranktrain.study.cycle.nodes import PanelNodes
 from cranktrain.study.cycle.panels import Panels
 from cranktrain.study.cycle.tops import highest
 
@@ -13,7 +13,7 @@ _LEAST = 0.1
 """Of the mean speed: how slowly a shaft may turn for its points to show how it does."""
 
 
-def mean_of(values: Array, panels: Panels, count: int, nodes: Nodes, cycle: float) -> float:
+def mean_of(values: Array, panels: Panels, count: int, nodes: PanelNodes, cycle: float) -> float:
     """Mean of a curve over the cycle."""
     total = 0.0
     for panel in range(count):
@@ -26,7 +26,7 @@ def mean_of(values: Array, panels: Panels, count: int, nodes: Nodes, cycle: floa
     return total / cycle
 
 
-def integral_of(values: Array, mean: float, panels: Panels, count: int, nodes: Nodes, integral: Array) -> None:
+def integral_of(values: Array, mean: float, panels: Panels, count: int, nodes: PanelNodes, integral: Array) -> None:
     """Fill `integral` with that of a curve less its mean, from the first panel on."""
     before = 0.0
     for panel in range(count):
@@ -42,7 +42,14 @@ def integral_of(values: Array, mean: float, panels: Panels, count: int, nodes: N
 
 
 def energy_for(
-    work: Array, inertia: Array, added: float, wanted: float, panels: Panels, count: int, nodes: Nodes, cycle: float
+    work: Array,
+    inertia: Array,
+    added: float,
+    wanted: float,
+    panels: Panels,
+    count: int,
+    nodes: PanelNodes,
+    cycle: float,
 ) -> float:
     """Kinetic energy beside the excess work at which the mean speed over time is as wanted; NaN where it stops.
 
@@ -107,7 +114,7 @@ def fluctuation_of(
     wanted: float,
     panels: Panels,
     count: int,
-    nodes: Nodes,
+    nodes: PanelNodes,
     cycle: float,
     square: Array,
     room: Array,
@@ -145,7 +152,7 @@ def flywheel_between(
     fastest: float,
     panels: Panels,
     count: int,
-    nodes: Nodes,
+    nodes: PanelNodes,
     cycle: float,
     curve: Array,
     room: Array,
@@ -172,7 +179,7 @@ def exact_flywheel(
     fluctuation: float,
     panels: Panels,
     count: int,
-    nodes: Nodes,
+    nodes: PanelNodes,
     cycle: float,
     square: Array,
     room: Array,

@@ -4,16 +4,13 @@ What differs among machines of one structure, throws, orders, counts of cylinder
 stands in the source.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple, cast
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
 
-from cranktrain.fluids import AnyFluid, ChamberState
-from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity, Wrench, reduced_of
-from cranktrain.mechanisms.kind import AnyKind
-from cranktrain.questions.forces.piston_formulas import inertia_force, rod_forces
-from cranktrain.questions.forces.rod_masses import weighed_ends
+from cranktrain.fluids import ChamberState
+from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity, Wrench
 from cranktrain.study.cycle.chambers import branch_at, nearer, toward_end
+from cranktrain.study.cycle.lines import CRANK, Imports, body_lines, indented, member_lines, taken_out
 from cranktrain.study.cycle.loops import (
     cut_cycle,
     directions,
@@ -26,139 +23,39 @@ from cranktrain.study.cycle.loops import (
     tell_running,
     tell_torque,
 )
-
-_INDENT = "    "
-
-
-class Shape(NamedTuple):
-    """How numbers are put into nested tuples: the class of each, and of what its fields are made; None of a number."""
-
-    made: type[tuple[object, ...]]
-    fields: "tuple[Shape | None, ...]"
+from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape, kernels
 
 
-def shape_of(parts: tuple[object, ...]) -> Shape:
-    """Shape of nested tuples of arrays or numbers."""
-    fields = (shape_of(cast("tuple[object, ...]", part)) if isinstance(part, tuple) else None for part in parts)
-    return Shape(type(parts), tuple(fields))
-
-
-@dataclass(frozen=True)
-class KindSource:
-    """What of one kind of mechanism stands in the source.
-
-    Attributes
-    ----------
-    kind : Kind
-    geometry : Shape
-    n_links : int
-        Links that have bodies.
-    has_slaves : bool
-        Whether others hang on its rods.
-    has_pistons : bool
-        Whether its sliders are pistons.
-    """
-
-    kind: AnyKind
-    geometry: Shape
-    n_links: int
-    has_slaves: bool
-    has_pistons: bool
-
-
-@dataclass(frozen=True)
-class Structure:
-    """What stands in the source: kinds, fluids, and what is asked of the loop.
-
-    Attributes
-    ----------
-    kinds : tuple of KindSource
-    fluids : tuple of (Fluid, Shape)
-    asks : frozenset of str
-        Of `torque`, `pressure`, `joint`, `rod`, `work`, `flywheel`, `running`; and `points`, which are to be kept.
-    """
-
-    kinds: tuple[KindSource, ...]
-    fluids: tuple[tuple[AnyFluid, Shape], ...]
-    asks: frozenset[str]
-
-    @property
-    def needs_inertia(self) -> bool:
-        """Whether it is asked how evenly the machine runs."""
-        return bool(self.asks & {"work", "flywheel", "running"})
-
-
-def kernels(structure: Structure) -> dict[str, Callable[..., Any]]:
-    """Kernels by the names that they have in the source."""
-    found: dict[str, Callable[..., Any]] = {}
-    for place, one in enumerate(structure.kinds):
-        dynamics = one.kind.dynamics
-        found |= {
-            f"motion_{place}": one.kind.motion,
-            f"load_{place}": dynamics.load,
-            f"forces_{place}": dynamics.forces,
-            f"links_{place}": dynamics.links,
-        }
-        if dynamics.on_master is not None:
-            found[f"on_master_{place}"] = dynamics.on_master
-    if structure.needs_inertia:
-        found["reduced"] = reduced_of
-    if "rod" in structure.asks:
-        found |= {"shares_of": weighed_ends, "along_rod": rod_forces, "inertia_of": inertia_force}
-    for place, (fluid, _shape) in enumerate(structure.fluids):
-        found[f"pressure_{place}"] = fluid.pressure
-    return found
-
-
-class _Imports:
-    """Names of the source by what they are imported from."""
-
-    def __init__(self) -> None:
-        self.known: dict[tuple[str, str], str] = {}
-
-    def name(self, thing: Any) -> str:
-        """Give a function's or class's name, imported once."""
-        module, own = thing.__module__, thing.__qualname__
-        taken = [name for (other, _own), name in self.known.items() if other != module]
-        name = own if own not in taken else f"{own}_{len(self.known)}"
-        return self.known.setdefault((module, own), name)
-
-    def lines(self) -> Iterator[str]:
-        """Import statements."""
-        for (module, own), name in sorted(self.known.items()):
-            yield f"from {module} import {own}" + ("" if own == name else f" as {name}")
-
-
-class Written(NamedTuple):
+class WrittenLoops(NamedTuple):
     """Source of a module, and the functions of the package that it calls."""
 
     source: str
     calls: tuple[Callable[..., Any], ...]
 
 
-def written_cycle(structure: Structure) -> Written:
+def written_cycle(structure: CycleStructure) -> WrittenLoops:
     """Write the module whose function `cycle` fills `Found` for designs from `first` up to `last`."""
-    imports, called = _Imports(), kernels(structure)
+    imports, called = Imports(), kernels(structure)
     body = [
-        *_kernels(called, (*_PARTS, *_told(structure)), imports),
+        *_kernels(called, (*_PARTS, *_tellers(structure)), imports),
         *_volume(structure, imports),
         *_fill(structure, imports),
         *_cycle(structure),
     ]
-    return _module(imports, body, called)
+    return _put_together(imports, body, called)
 
 
-def written_turning(kinds: Sequence[KindSource]) -> Written:
+def written_turning(kinds: Sequence[KindSource]) -> WrittenLoops:
     """Write the module whose function `turning_points` finds where pistons turn back."""
-    imports = _Imports()
+    imports = Imports()
     called = {f"motion_{place}": one.kind.motion for place, one in enumerate(kinds) if one.has_pistons}
-    return _module(imports, [*_kernels(called, (toward_end,), imports), *_turning(kinds, imports)], called)
+    return _put_together(imports, [*_kernels(called, (toward_end,), imports), *_turning(kinds, imports)], called)
 
 
-def _module(imports: _Imports, body: Sequence[str], called: Mapping[str, Callable[..., Any]]) -> Written:
+def _put_together(imports: Imports, body: Sequence[str], called: Mapping[str, Callable[..., Any]]) -> WrittenLoops:
     """Put a module together."""
     head = [
-        '"""Written for the structure of a machine; docs/scale."""',
+        '"""WrittenLoops for the structure of a machine; docs/scale."""',
         "",
         "import numpy as np",
         "",
@@ -168,7 +65,7 @@ def _module(imports: _Imports, body: Sequence[str], called: Mapping[str, Callabl
         "from cranktrain.study.cycle.loops import FINEST",
         "",
     ]
-    return Written("\n".join([*head, *body, ""]), tuple(called.values()))
+    return WrittenLoops("\n".join([*head, *body, ""]), tuple(called.values()))
 
 
 _PARTS = (branch_at, nearer, cut_cycle, directions, own_edges, shows)
@@ -176,7 +73,7 @@ _PARTS = (branch_at, nearer, cut_cycle, directions, own_edges, shows)
 
 
 def _kernels(
-    called: Mapping[str, Callable[..., Any]], parts: Sequence[Callable[..., Any]], imports: _Imports
+    called: Mapping[str, Callable[..., Any]], parts: Sequence[Callable[..., Any]], imports: Imports
 ) -> Iterator[str]:
     """Compiled kernels by their names, and what else is called."""
     for name, kernel in called.items():
@@ -187,64 +84,13 @@ def _kernels(
     yield ""
 
 
-def _arguments(structure: Structure) -> str:
+def _arguments(structure: CycleStructure) -> str:
     kinds = ", ".join(f"k{place}" for place in range(len(structure.kinds)))
     fluids = ", ".join(f"f{place}" for place in range(len(structure.fluids)))
     return ", ".join(filter(None, (kinds, fluids)))
 
 
-def _counting() -> Iterator[int]:
-    place = 0
-    while True:
-        yield place
-        place += 1
-
-
-def _local(shape: Shape, imports: _Imports, array: str, name: str) -> tuple[list[str], str]:
-    """Lines that take a row of numbers out of its array, and the expression that makes nested tuples of them."""
-    number = _counting()
-    made = _made(shape, imports, number, name)
-    n_numbers = next(number)
-    return [f"{name}{place} = {array}[design, member, {place}]" for place in range(n_numbers)], made
-
-
-def _made(shape: Shape, imports: _Imports, number: Iterator[int], name: str) -> str:
-    """Expression that makes nested tuples from numbers that stand in names of their own."""
-    parts = [f"{name}{next(number)}" if one is None else _made(one, imports, number, name) for one in shape.fields]
-    return f"{imports.name(shape.made)}({', '.join(parts)})"
-
-
-def _member(place: int, one: KindSource, imports: _Imports) -> list[str]:
-    """Lines that take the geometry of a member, and how its crank stands, out of their arrays."""
-    lines, made = _local(one.geometry, imports, f"k{place}.geometry", "g")
-    return [
-        *lines,
-        f"size = {made}",
-        f"ahead = Direction(np.cos(k{place}.phase[design, member]), np.sin(k{place}.phase[design, member]))",
-    ]
-
-
-_CRANK = "Direction(cos * ahead.cos - sin * ahead.sin, sin * ahead.cos + cos * ahead.sin)"
-
-
-def _bodies(place: int, one: KindSource) -> list[str]:
-    """Lines that take the bodies of a member, its gravity and its conditions out of their arrays."""
-    lines = [f"b{number} = k{place}.bodies[design, member, {number}]" for number in range(4 * one.n_links)]
-    each = (f"Body({', '.join(f'b{4 * link + number}' for number in range(4))})" for link in range(one.n_links))
-    frictions = ", ".join(["Friction(0.0, 1.0, 0.0, 0.0)"] * len(one.kind.dynamics.sliding))
-    return [
-        *lines,
-        f"bodies = ({', '.join(each)},)",
-        f"gravity = Gravity(k{place}.gravity[design, member, 0], k{place}.gravity[design, member, 1])",
-        f"conditions = Conditions(Drive(speed, 0.0), gravity, ({frictions},))",
-    ]
-
-
-def _indented(lines: Iterable[str], depth: int) -> Iterator[str]:
-    return (f"{_INDENT * depth}{line}" for line in lines)
-
-
-def _volume(structure: Structure, imports: _Imports) -> Iterator[str]:
+def _volume(structure: CycleStructure, imports: Imports) -> Iterator[str]:
     """Volume of one chamber with its derivatives."""
     if not structure.fluids:
         return
@@ -259,8 +105,8 @@ def _volume(structure: Structure, imports: _Imports) -> Iterator[str]:
         yield "        for partner in range(2):"
         yield f"            piston = k{place}.piston[member]"
         yield "            if piston >= 0 and room.partner[chamber, partner] == piston:"
-        yield from _indented(_member(place, one, imports), 4)
-        yield f"                motion = motion_{place}({_CRANK}, size)"
+        yield from indented(member_lines(place, one, imports), 4)
+        yield f"                motion = motion_{place}({CRANK}, size)"
         yield "                area = room.area[design, chamber, partner]"
         yield "                value += area * (room.top[design, piston] - motion.slider.value)"
         yield "                first -= area * motion.slider.first"
@@ -270,7 +116,7 @@ def _volume(structure: Structure, imports: _Imports) -> Iterator[str]:
     yield ""
 
 
-def _turning(kinds: Sequence[KindSource], imports: _Imports) -> Iterator[str]:
+def _turning(kinds: Sequence[KindSource], imports: Imports) -> Iterator[str]:
     """Dead centres of all pistons: the best of some points of the turn, and Newton's method from there."""
     arguments = ", ".join(f"k{place}" for place in range(len(kinds)))
     yield "@loop"
@@ -279,9 +125,9 @@ def _turning(kinds: Sequence[KindSource], imports: _Imports) -> Iterator[str]:
     for place, one in enumerate(kinds):
         if not one.has_pistons:
             continue
-        motion = f"motion = motion_{place}({_CRANK}, size)"
+        motion = f"motion = motion_{place}({CRANK}, size)"
         yield f"        for member in range(k{place}.mechanism.size):"
-        yield from _indented(_member(place, one, imports), 3)
+        yield from indented(member_lines(place, one, imports), 3)
         yield "            for end in range(2):"
         yield "                sign, best, angle = 1.0 - 2.0 * end, -np.inf, 0.0"
         yield "                for point in range(around.shape[1]):"
@@ -302,7 +148,7 @@ def _turning(kinds: Sequence[KindSource], imports: _Imports) -> Iterator[str]:
         yield "                        break"
 
 
-def _fill(structure: Structure, imports: _Imports) -> Iterator[str]:
+def _fill(structure: CycleStructure, imports: Imports) -> Iterator[str]:
     """Curves at all points of the panels: pistons first, then chambers, then forces, slaves' before their masters'."""
     for thing in (Body, ChamberState, Conditions, Drive, Friction, Gravity, Wrench):
         imports.name(thing)
@@ -328,25 +174,25 @@ def _fill(structure: Structure, imports: _Imports) -> Iterator[str]:
     yield ""
 
 
-def _pistons(place: int, one: KindSource, imports: _Imports) -> Iterator[str]:
+def _pistons(place: int, one: KindSource, imports: Imports) -> Iterator[str]:
     """How far pistons of one kind are from their shafts."""
     yield f"    for member in range(k{place}.mechanism.size):"
     yield f"        piston = k{place}.piston[member]"
-    yield from _indented(_member(place, one, imports), 2)
+    yield from indented(member_lines(place, one, imports), 2)
     yield "        slider, push = work.slider[piston], work.push[piston]"
     yield "        for point in range(n_points):"
     yield "            cos, sin = all_cos[point], all_sin[point]"
-    yield f"            motion = motion_{place}({_CRANK}, size)"
+    yield f"            motion = motion_{place}({CRANK}, size)"
     yield "            slider[point] = motion.slider.value"
     yield "            push[point] = 0.0"
 
 
-def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: _Imports) -> Iterator[str]:
+def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: Imports) -> Iterator[str]:
     """Pressure in the chambers that hold one fluid, and what it does to their pistons."""
-    numbers, made = _local(shape, imports, f"f{place}.numbers", "c")
+    numbers, made = taken_out(shape, imports, f"f{place}.numbers", "c")
     yield f"    for member in range(f{place}.places.size):"
     yield f"        chamber = f{place}.places[member]"
-    yield from _indented(numbers, 2)
+    yield from indented(numbers, 2)
     yield f"        gas = {made}"
     yield "        smallest, largest = room.smallest[design, chamber], room.largest[design, chamber]"
     yield "        start, ambient = room.start[design, chamber], room.ambient[design, chamber]"
@@ -376,11 +222,11 @@ def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: _Imports)
     yield "                on_other[point] += beside * over"
 
 
-def _forces(place: int, one: KindSource, structure: Structure, imports: _Imports) -> Iterator[str]:
+def _forces(place: int, one: KindSource, structure: CycleStructure, imports: Imports) -> Iterator[str]:
     """Forces of the mechanisms of one kind, and what they do to the shaft."""
     dynamics, asks = one.kind.dynamics, structure.asks
     yield f"    for member in range(k{place}.mechanism.size):"
-    yield from _indented([*_member(place, one, imports), *_bodies(place, one)], 2)
+    yield from indented([*member_lines(place, one, imports), *body_lines(place, one)], 2)
     is_slave = dynamics.on_master is not None
     if one.has_pistons and structure.fluids:
         yield f"        piston = k{place}.piston[member]"
@@ -408,7 +254,7 @@ def _forces(place: int, one: KindSource, structure: Structure, imports: _Imports
         yield "        at_piston, at_crank = work.rod[2, piston], work.rod[3, piston]"
     yield "        for point in range(n_points):"
     yield "            cos, sin = all_cos[point], all_sin[point]"
-    yield f"            motion = motion_{place}({_CRANK}, size)"
+    yield f"            motion = motion_{place}({CRANK}, size)"
     pushed = "-push[point]" if one.has_pistons and structure.fluids else "0.0"
     yield f"            own = load_{place}(motion, size, {pushed})"
     borne = "own"
@@ -436,7 +282,7 @@ def _forces(place: int, one: KindSource, structure: Structure, imports: _Imports
             yield f"            x{number}[point] = forces.joints[{number}].x"
             yield f"            y{number}[point] = forces.joints[{number}].y"
     if has_rods:
-        yield from _indented(_rod(one), 3)
+        yield from indented(_rod(one), 3)
 
 
 def _rod(one: KindSource) -> Iterator[str]:
@@ -459,7 +305,7 @@ def _rod(one: KindSource) -> Iterator[str]:
     yield f"at_crank[point] = ends[{1 if dynamics.on_master is None else 0}]"
 
 
-def _told(structure: Structure) -> Iterator[Callable[..., Any]]:
+def _tellers(structure: CycleStructure) -> Iterator[Callable[..., Any]]:
     """What tells the facts that are asked for."""
     yield from (call for ask, call in _TOLD.items() if ask in structure.asks)
     if structure.needs_inertia:
@@ -468,7 +314,7 @@ def _told(structure: Structure) -> Iterator[Callable[..., Any]]:
         yield keep_panels
 
 
-def _cycle(structure: Structure) -> list[str]:
+def _cycle(structure: CycleStructure) -> list[str]:
     """The loop over designs."""
     arguments = _arguments(structure)
     own = f"def cycle(first, last, {arguments}, room, turning, wanted, nodes, panels, work, found):"

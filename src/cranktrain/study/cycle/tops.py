@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.nodes import Nodes
+from cranktrain.study.cycle.nodes import PanelNodes
 from cranktrain.study.cycle.panels import Panels
 
 MOST_TOPS = 64
@@ -25,7 +25,7 @@ _LEVEL = 10.0
 
 
 def highest(
-    values: Array, sign: float, panels: Panels, count: int, nodes: Nodes, zero: float, cycle: float, room: Array
+    values: Array, sign: float, panels: Panels, count: int, nodes: PanelNodes, zero: float, cycle: float, room: Array
 ) -> tuple[float, float]:
     """Largest value of a curve, or its smallest.
 
@@ -38,7 +38,7 @@ def highest(
     panels : Panels
     count : int
         How many panels there are.
-    nodes : Nodes
+    nodes : PanelNodes
     zero, cycle : float
         From where angles count, and after which they do again. [rad]
     room : Array, shape (4, 64)
@@ -88,7 +88,7 @@ def highest(
 
 
 def largest_size(
-    x: Array, y: Array, panels: Panels, count: int, nodes: Nodes, zero: float, cycle: float, room: Array
+    x: Array, y: Array, panels: Panels, count: int, nodes: PanelNodes, zero: float, cycle: float, room: Array
 ) -> tuple[float, float]:
     """Largest size of a vector whose components are x and y; parameters and returns as of `highest`."""
     most, least = -1.0, np.inf
@@ -131,7 +131,7 @@ def largest_size(
     return angle, np.sqrt(best)
 
 
-def mean_size(x: Array, y: Array, panels: Panels, count: int, nodes: Nodes, cycle: float, room: Array) -> float:
+def mean_size(x: Array, y: Array, panels: Panels, count: int, nodes: PanelNodes, cycle: float, room: Array) -> float:
     """Mean over the cycle of the size of a vector, whose square is smooth and which may come near to 0."""
     total = 0.0
     for panel in range(count):
@@ -152,7 +152,9 @@ def mean_size(x: Array, y: Array, panels: Panels, count: int, nodes: Nodes, cycl
     return total / cycle
 
 
-def _integral_of_size(x: Array, y: Array, start: float, width: float, row: int, nodes: Nodes) -> tuple[float, bool]:
+def _integral_of_size(
+    x: Array, y: Array, start: float, width: float, row: int, nodes: PanelNodes
+) -> tuple[float, bool]:
     """Integral of the size of a vector over a piece of [−1, 1], and whether its points show it."""
     size, most = nodes.size[row], len(nodes.size) - 1
     total, scale, last, other = 0.0, 0.0, 0.0, 0.0
@@ -169,7 +171,7 @@ def _integral_of_size(x: Array, y: Array, start: float, width: float, row: int, 
 
 
 def _polished(
-    series: Array, sign: float, height: Any, alike: float, node: int, row: int, nodes: Nodes
+    series: Array, sign: float, height: Any, alike: float, node: int, row: int, nodes: PanelNodes
 ) -> tuple[float, float]:
     """Top of a series about a point of its panel, by Newton's method: where in [−1, 1], and sign times its value.
 
@@ -189,7 +191,7 @@ def _polished(
     return (way, at) if at >= height else (nodes.place[row, node], height)
 
 
-def _polished_size(x: Array, y: Array, square: Any, node: int, row: int, nodes: Nodes) -> tuple[float, float]:
+def _polished_size(x: Array, y: Array, square: Any, node: int, row: int, nodes: PanelNodes) -> tuple[float, float]:
     """Top of the square of a vector by the series of its components; as `_polished`."""
     size = nodes.size[row]
     low, high = nodes.place[row, max(node - 1, 0)], nodes.place[row, min(node + 1, size - 1)]
@@ -215,7 +217,7 @@ def _toward_top(slope: float, bend: float, low: float, high: float) -> float:
     return high / 2 if slope > 0.0 else low / 2
 
 
-def _series(values: Array, first: int, row: int, nodes: Nodes, series: Array) -> None:
+def _series(values: Array, first: int, row: int, nodes: PanelNodes, series: Array) -> None:
     """Coefficients of Chebyshev's polynomials of a curve in the panel whose points begin at `first`."""
     size = nodes.size[row]
     own = values[first : first + size]
@@ -249,7 +251,7 @@ def _counted(angle: float, cycle: float) -> float:
     return 0.0 if cycle - counted < 1e-13 else counted
 
 
-def unresolved(values: Array, panels: Panels, count: int, nodes: Nodes, part: float) -> bool:
+def unresolved(values: Array, panels: Panels, count: int, nodes: PanelNodes, part: float) -> bool:
     """Whether the last orders of a curve's series are, in any panel, more than a part of its largest size."""
     scale, last = 0.0, 0.0
     for panel in range(count):

@@ -10,7 +10,7 @@ from cranktrain.columns import some_rows
 from cranktrain.errors import InputError
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.study.cycle.road import FactsOfCycles, Way, facts_of_cycles, way_to
+from cranktrain.study.cycle.road import CompiledWay, FactsOfCycles, facts_of_cycles, way_to
 from cranktrain.study.sweep.designs import DesignsInColumns
 
 _ENOUGH, _ENOUGH_OF_BEARINGS = 1000, 200
@@ -21,20 +21,24 @@ _ALIKE = 1e-6
 """By which part of the largest a fact may differ from that of `run`; most differ by less than 1e-9."""
 
 
-def way_compiled(machine: Machine, wanted: Sequence[str], n_all: int) -> Way | None:
+def way_compiled(machine: Machine, wanted: Sequence[str], n_all: int) -> CompiledWay | None:
     """How the compiled cycle of a machine gives facts of so many designs; None where `run` gives them."""
     if n_all < min(_ENOUGH, _ENOUGH_OF_BEARINGS):
         return None
     way = way_to(machine, wanted)
-    return way if isinstance(way, Way) and n_all >= (_ENOUGH_OF_BEARINGS if way.keeps_points else _ENOUGH) else None
+    return (
+        way
+        if isinstance(way, CompiledWay) and n_all >= (_ENOUGH_OF_BEARINGS if way.keeps_points else _ENOUGH)
+        else None
+    )
 
 
-def designs_at_once(way: Way) -> int:
+def designs_at_once(way: CompiledWay) -> int:
     """How many designs are held in memory together."""
     return _BEARINGS_AT_ONCE if way.keeps_points else _AT_ONCE
 
 
-def facts_compiled(group: DesignsInColumns, way: Way) -> FactsOfCycles | None:
+def facts_compiled(group: DesignsInColumns, way: CompiledWay) -> FactsOfCycles | None:
     """Find facts of designs that differ in numbers alone.
 
     Returns
@@ -56,7 +60,7 @@ def facts_compiled(group: DesignsInColumns, way: Way) -> FactsOfCycles | None:
     return known[0]._replace(is_known=np.concatenate([part.is_known for part in parts]), values=values)
 
 
-def _facts(together: Machine, first: int, last: int, way: Way) -> Iterator[FactsOfCycles]:
+def _facts(together: Machine, first: int, last: int, way: CompiledWay) -> Iterator[FactsOfCycles]:
     """Facts of some of the designs; of one that is refused on the way there are none."""
     try:
         yield facts_of_cycles(some_rows(together, slice(first, last)), last - first, way)
