@@ -143,6 +143,22 @@ def test_an_edited_kernel_is_seen(tmp_path):
     assert peak("as it is") == pytest.approx(1.5e5 * 14**1.36, rel=1e-12)
 
 
+def test_what_cannot_be_read_is_made_anew(tmp_path):
+    """Of a version whose classes are gone, of a disk that was full."""
+
+    def peak() -> float:
+        environment = {**os.environ, "CRANKTRAIN_CACHE": str(tmp_path), "PYTHONPATH": str(Path(__file__).parents[2])}
+        line = [sys.executable, "-c", EDITED, "as it is"]
+        return float(subprocess.run(line, env=environment, check=True, capture_output=True, text=True).stdout)
+
+    first = peak()
+    kept = [path for path in tmp_path.rglob("*.nb?") if path.is_file()]
+    assert len(kept) > 6
+    for place, path in enumerate(kept):
+        path.write_bytes([b"", b"nonsense", path.read_bytes()[: len(path.read_bytes()) // 2]][place % 3])
+    assert peak() == first
+
+
 def test_fingerprints_know_what_is_called():
     """A function, what it calls, and the numbers that both name; not where they stand."""
 

@@ -6,6 +6,7 @@ mechanisms; and the value of an angle that is found back from its sine and cosin
 
 from collections.abc import Callable
 from functools import cache
+from inspect import getsource
 from types import ModuleType
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
@@ -13,6 +14,7 @@ import numpy as np
 
 from cranktrain.linkage import compiled as compiled_kernel
 from cranktrain.motion import Array
+from cranktrain.study.cycle import given, nodes, panels
 from cranktrain.study.cycle.kept import keep
 from cranktrain.transient.compiling import quick
 
@@ -95,7 +97,7 @@ def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outc
 def called(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile a long loop, which is called, and keep what comes out."""
     compiled = quick(function, FASTER)
-    keep(compiled, function, *sorted(FASTER))
+    keep(compiled, function, *sorted(FASTER), *map(getsource, (given, nodes, panels)))
     return compiled
 
 
@@ -105,8 +107,10 @@ def part(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcom
 
 
 def loop(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
-    """Compile the outermost loop of a written module, and keep what comes out beside its file."""
-    return _compiled(function, cache=True, nogil=True)
+    """Compile the outermost loop of a written file, whose name says what it is made of, and keep what comes out."""
+    compiled = _compiled(function, nogil=True)
+    keep(compiled, function)
+    return compiled
 
 
 def _compiled(function: Callable[Parameters, Outcome], **options: Any) -> Callable[Parameters, Outcome]:

@@ -9,15 +9,15 @@ from pathlib import Path
 from tempfile import gettempdir
 from types import ModuleType
 
-from cranktrain.study.cycle import chambers, compiling, loops, nodes, panels, running, tops
+from cranktrain.study.cycle import chambers, compiling, given, loops, nodes, panels, running, tops
 from cranktrain.study.cycle.kept import fingerprint, folder
 from cranktrain.study.cycle.source import WrittenLoops
 
-_LOOPS = (chambers, compiling, loops, nodes, panels, running, tops)
+_LOOPS = (chambers, compiling, given, loops, nodes, panels, running, tops)
 
 
 def loaded_loops(written: WrittenLoops) -> ModuleType:
-    """Give a module that was written, as a file if it is not there; what Numba makes of it is kept beside it."""
+    """Give a module that was written, as a file if it is not there."""
     name = fingerprint(written.calls, written.source, *sorted(compiling.FASTER), *map(getsource, _LOOPS))
     return _imported(folder() / "cycles" / f"cycle_{name}.py", written.source)
 

@@ -100,4 +100,25 @@ def _kept_caches(more: tuple[str, ...]) -> Any:
     class KeptCache(caching.FunctionCache):
         _impl_class = Kept
 
+        def load_overload(self, sig: Any, target_context: Any) -> Any:
+            """Give what is kept; nothing where it cannot be read, as what a version left whose classes are gone."""
+            known: Any = super()
+            try:
+                return known.load_overload(sig, target_context)
+            except Exception:
+                return None
+
+        def save_overload(self, sig: Any, data: Any) -> None:
+            """Keep it, in place of what cannot be read; not where there is no room."""
+            known: Any = super()
+            for _attempt in range(2):
+                try:
+                    known.save_overload(sig, data)
+                except OSError:
+                    return
+                except Exception:
+                    self.flush()
+                else:
+                    return
+
     return KeptCache

@@ -37,6 +37,8 @@ _LONG = 60.0
 """From when on somebody has to say that it is meant. [s]"""
 _WORTH, _WORTH_COMPILING = 6.0, 60.0
 """From when on more processes are worth their start; of starts each has to compile them. [s]"""
+_WORTH_NUMBA = 1000
+"""Designs from when on it is said that there is none."""
 _CREW_OF_BLOCK = 4
 """So many processes hand blocks of the least size back without waiting for who keeps them."""
 
@@ -271,7 +273,10 @@ def _how_far(done: int, n_left: int, seconds: float) -> Words:
     if done == 0:
         return _("{done} of {all} designs", done=done, all=n_left)
     left = seconds / done * (n_left - done)
-    said = _("{done} of {all} designs, {left} left   (Ctrl-C ends it)")
+    if n_left >= _WORTH_NUMBA and not is_numba_there():
+        said = _("{done} of {all} designs, without Numba one by one, {left} left   (Ctrl-C ends it)")
+    else:
+        said = _("{done} of {all} designs, {left} left   (Ctrl-C ends it)")
     return said.format(done=done, all=n_left, left=_duration(left))
 
 
