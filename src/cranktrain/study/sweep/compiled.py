@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.analysis import run
 from cranktrain.columns import some_rows
 from cranktrain.errors import InputError
+from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.study.cycle.road import CompiledWay, FactsOfCycles, facts_of_cycles, way_to
@@ -21,16 +22,12 @@ _ALIKE = 1e-6
 """By which part of the largest a fact may differ from that of `run`; most differ by less than 1e-9."""
 
 
-def way_compiled(machine: Machine, wanted: Sequence[str], n_all: int) -> CompiledWay | None:
-    """How the compiled cycle of a machine gives facts of so many designs; None where `run` gives them."""
-    if n_all < min(_ENOUGH, _ENOUGH_OF_BEARINGS):
-        return None
-    way = way_to(machine, wanted)
-    return (
-        way
-        if isinstance(way, CompiledWay) and n_all >= (_ENOUGH_OF_BEARINGS if way.keeps_points else _ENOUGH)
-        else None
-    )
+def way_compiled(machine: Machine, wanted: Sequence[str], n_all: int) -> CompiledWay | Words:
+    """How the compiled cycle of a machine gives facts of so many designs; or why `run` gives them."""
+    way = _("they are few") if n_all < min(_ENOUGH, _ENOUGH_OF_BEARINGS) else way_to(machine, wanted)
+    if not isinstance(way, CompiledWay):
+        return way
+    return way if n_all >= (_ENOUGH_OF_BEARINGS if way.keeps_points else _ENOUGH) else _("they are few")
 
 
 def designs_at_once(way: CompiledWay) -> int:

@@ -11,6 +11,7 @@ from cranktrain.how_far import say_how_far
 from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.paths import path_text, quantity_path
+from cranktrain.study.cycle.road import CompiledWay
 from cranktrain.study.facts_of_starts import is_numba_there
 from cranktrain.study.sweep.blocks import Blocks, blocks_of, shape_of
 from cranktrain.study.sweep.crew import Alone, Compute, Crew, Span, in_order, killed
@@ -108,7 +109,8 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
     n_left = len(designs) if blocks is None else sum(after - first for first, after in map(blocks.span, missing))
     seconds = (n_left - len(tried.found.refused)) * tried.each
     if not is_meant and scheduler is None and seconds / processes > _LONG:
-        raise InputError([_long(len(designs), seconds / processes)])
+        why = "" if isinstance(compute.way, CompiledWay) else compute.way
+        raise InputError([_long(len(designs), seconds / processes, why)])
     if tried.after - tried.first == len(designs):
         _refuse_all(tried.found, len(designs))
     worth = _WORTH_COMPILING if plan.over_time and is_numba_there() else _WORTH
@@ -261,10 +263,12 @@ def _none_of(n_designs: int, first: Problem) -> Problem:
     return Problem("", None, said)
 
 
-def _long(n_designs: int, seconds: float) -> Problem:
-    """Refuse what takes long and may not be meant."""
+def _long(n_designs: int, seconds: float, why: Words) -> Problem:
+    """Refuse what takes long and may not be meant; say why it is not compiled, if it is not."""
     hours, minutes = divmod(round(seconds / 60), 60)
     allowed = _("is {n} designs, which take some {hours} h {minutes} min", n=n_designs, hours=hours, minutes=minutes)
+    if why:
+        allowed = _("{allowed}, as it is not compiled: {why}", allowed=allowed, why=why)
     return Problem("vary", None, allowed, _("ask for fewer values, or write --yes"))
 
 

@@ -1,6 +1,7 @@
 """Facts of many designs of one machine, each design checked by itself; what cannot be has a sentence and no number."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -9,13 +10,14 @@ import numpy as np
 from cranktrain.analysis import Result, run
 from cranktrain.analysis.blocks import MOST_AT_ONCE
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import Words
+from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.checks import Flag
 from cranktrain.saying.run import Run
+from cranktrain.study.cycle.road import CompiledWay
 from cranktrain.study.facts_of_starts import facts_of_starts
 from cranktrain.study.starts import Starts
 from cranktrain.study.sweep.compiled import designs_at_once, facts_compiled, way_compiled
@@ -78,8 +80,15 @@ class FactsOfSweep:
     @property
     def n_together(self) -> int:
         """How many designs cost less together than one by one."""
-        way = None if self.over_time else way_compiled(self.machine, self.wanted, len(self.designs))
-        return MOST_AT_ONCE if way is None else designs_at_once(way)
+        way = self.way
+        return designs_at_once(way) if isinstance(way, CompiledWay) else MOST_AT_ONCE
+
+    @cached_property
+    def way(self) -> CompiledWay | Words:
+        """How the compiled cycle of the machine gives them; or why `run` does."""
+        if self.over_time:
+            return _("they are of starts")
+        return way_compiled(self.machine, self.wanted, len(self.designs))
 
 
 def facts_of_designs(
@@ -217,7 +226,8 @@ class _Gathered:
     def take_compiled(self, group: DesignsInColumns, wanted: Sequence[str], n_all: int) -> Sequence[int]:
         """Take what the compiled cycle gives of designs; give which of them are left to `run`."""
         every = range(len(group.places))
-        if (way := way_compiled(group.each[0], wanted, n_all)) is None:
+        way = way_compiled(group.each[0], wanted, n_all)
+        if not isinstance(way, CompiledWay):
             return every
         found = facts_compiled(group, way)
         if found is None:
