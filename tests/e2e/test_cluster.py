@@ -13,6 +13,7 @@ from cranktrain.study.sweep.facts import FactsOfSweep
 distributed = pytest.importorskip("distributed")
 
 MACHINE, VARY, WANTED = "burning_cylinder", {"mechanism.rod_length": "0.2..0.3 m:300"}, ["largest_torque"]
+# Of a cluster that is taken away distributed leaves sockets open, and its own imports are deprecated.
 pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
 
 

@@ -1,4 +1,4 @@
-"""WrittenLoops modules: one file for all machines of a structure, by what it and its kernels are made of."""
+"""Written loops: one file for all machines of a structure, by what it and its kernels are made of."""
 
 import os
 import sys

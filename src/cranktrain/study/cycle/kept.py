@@ -105,7 +105,7 @@ def _kept_caches(more: tuple[str, ...]) -> Any:
             known: Any = super()
             try:
                 return known.load_overload(sig, target_context)
-            except Exception:
+            except Exception:  # unpickling raises whatever it likes; what cannot be read is made anew
                 return None
 
         def save_overload(self, sig: Any, data: Any) -> None:
@@ -116,7 +116,7 @@ def _kept_caches(more: tuple[str, ...]) -> Any:
                     known.save_overload(sig, data)
                 except OSError:
                     return
-                except Exception:
+                except Exception:  # as above: an index that cannot be read is begun anew
                     self.flush()
                 else:
                     return
