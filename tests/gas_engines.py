@@ -57,7 +57,7 @@ class Engine:
             limits=VolumeLimits(*(np.full((1, 1, 1), volume) for volume in self.limits)),
             area=np.full((1, 1, 1), self.area),
             bottoms=np.array([[[self.bottom - 2 * np.pi, self.bottom]]]),
-            alike=np.zeros((1, 1), dtype=np.intp),
+            alike=lambda: np.zeros((1, 1), dtype=np.intp),
             speed=None if speed is None else np.full((1, 1, 1), speed),
             volume_of=lambda design, place, angle: self.volume(angle),
         )

@@ -52,8 +52,9 @@ class Rooms(NamedTuple):
         Of one end of the chamber. [m²]
     bottoms : Array, shape (design, chamber, 2)
         Where the volume is largest before nominal firing and after, from there. [rad]
-    alike : array of int, shape (design, chamber)
-        The first chamber that goes through the same volumes, each from its own nominal firing.
+    alike : callable
+        Gives the first chamber that goes through the same volumes as each, from its own nominal firing, shape
+        (design, chamber).
     speed : Array, shape (design, 1, 1), optional
         Mean speed of the shaft, where the file says it. [rad/s]
     volume_of : callable
@@ -65,7 +66,7 @@ class Rooms(NamedTuple):
     limits: VolumeLimits
     area: Array
     bottoms: Array
-    alike: NDArray[np.intp]
+    alike: Callable[[], NDArray[np.intp]]
     speed: Array | None
     volume_of: Callable[[int, int, Array], Coefficient]
 

@@ -72,15 +72,15 @@ def corners(compressor: Compressor, limits: VolumeLimits) -> Corners:
     """
     suction, discharge, compression, expansion = compressor[:4]
     ratio = limits.largest / limits.smallest
-    both = ratio ** np.minimum(compression, expansion) > discharge / suction
+    both = np.power(ratio, np.minimum(compression, expansion)) > discharge / suction
     exponent = chosen(both, expansion, compression)
-    reached = suction * ratio**compression
+    reached = suction * np.power(ratio, compression)
     delivers, peak = reached > discharge, np.minimum(discharge, reached)
     return Corners(
         peak,
         exponent,
-        chosen(delivers, limits.smallest * (peak / suction) ** (1 / exponent), limits.largest),
-        chosen(delivers, limits.largest * (suction / peak) ** (1 / compression), limits.smallest),
+        chosen(delivers, limits.smallest * np.power(peak / suction, 1 / exponent), limits.largest),
+        chosen(delivers, limits.largest * np.power(suction / peak, 1 / compression), limits.smallest),
     )
 
 
@@ -103,9 +103,13 @@ def compressor_pressure(state: ChamberState, compressor: Compressor) -> Array:
     """
     found = corners(compressor, VolumeLimits(state.smallest, state.largest))
     suction, discharge, exponent = compressor[:3]
-    expansion = np.maximum(suction, found.peak * (state.smallest / state.volume) ** found.expansion_exponent)
-    compression = np.minimum(discharge, suction * (state.largest / state.volume) ** exponent)
-    return chosen(state.sense > 0, expansion, compression)
+    expands = state.sense > 0
+    # One power for both branches: it takes longer than all else.
+    ratio = chosen(expands, state.smallest, state.largest) / state.volume
+    pressure = chosen(expands, found.peak, suction) * np.power(
+        ratio, chosen(expands, found.expansion_exponent, exponent)
+    )
+    return chosen(expands, np.maximum(suction, pressure), np.minimum(discharge, pressure))
 
 
 def compressor_slope(state: ChamberState, pressure: Array, volume_slope: Array, compressor: Compressor) -> Array:

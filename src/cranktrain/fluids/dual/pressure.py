@@ -51,9 +51,9 @@ def corner_pressures(cycle: IdealCycle, compression_ratio: Array) -> CornerPress
     -----
     p₂ = p₁ε^n₁, p₃ = ψp₂, p₄ = p₃(ρ/ε)^n₂. docs/theory/gas, eq. (14.3).
     """
-    compressed = cycle.start_pressure * compression_ratio**cycle.compression_exponent
+    compressed = cycle.start_pressure * np.power(compression_ratio, cycle.compression_exponent)
     peak = cycle.pressure_ratio * compressed
-    expanded = peak * (cycle.cut_off_ratio / compression_ratio) ** cycle.expansion_exponent
+    expanded = peak * np.power(cycle.cut_off_ratio / compression_ratio, cycle.expansion_exponent)
     return CornerPressures(compressed, peak, expanded)
 
 
@@ -85,7 +85,7 @@ def ideal_pressure(state: ChamberState, cycle: IdealCycle) -> Array:
     ratio = chosen(grows, cut_off / np.maximum(state.volume, cut_off), state.largest / state.volume)
     exponent = chosen(grows, cycle.expansion_exponent, cycle.compression_exponent)
     exchange = chosen(grows, cycle.inlet_pressure, cycle.exhaust_pressure)
-    return chosen(state.turn > 0, start * ratio**exponent, exchange)
+    return chosen(state.turn > 0, start * np.power(ratio, exponent), exchange)
 
 
 def ideal_slope(state: ChamberState, pressure: Array, volume_slope: Array, cycle: IdealCycle) -> Array:

@@ -42,8 +42,9 @@ def diagrams_of(numbers: CardNumbers, rooms: Rooms) -> Diagrams:
     InputError
         If a file is no diagram of such a machine.
     """
-    found = np.empty((*rooms.alike.shape, 1), dtype=np.object_)
-    for design, place in _distinct(rooms.alike):
+    alike = rooms.alike()
+    found = np.empty((*alike.shape, 1), dtype=np.object_)
+    for design, place in _distinct(alike):
         limits = VolumeLimits(*(single(float(part[design, place, 0])) for part in rooms.limits))
 
         def volume(angle: Array, design: int = design, place: int = place) -> Array:
@@ -51,7 +52,7 @@ def diagrams_of(numbers: CardNumbers, rooms: Rooms) -> Diagrams:
 
         with problems_as(lambda one: replace(one, path=f"{rooms.path}.{one.path}".removesuffix("."))):
             own = indicator_diagram(numbers.card[design, 0, 0], Chamber(rooms.cycle, limits, volume))
-        found[design, rooms.alike[design] == place, 0] = own
+        found[design, alike[design] == place, 0] = own
     return Diagrams(found)
 
 
@@ -75,14 +76,15 @@ def card_slope(state: ChamberState, _pressure: Array, volume_slope: Array, diagr
 
 def card_work(diagrams: Diagrams, rooms: Rooms) -> Array:
     """∮ p dV of every chamber, shape (design, chamber). [J]"""
-    works = np.empty(rooms.alike.shape)
-    for design, place in _distinct(rooms.alike):
+    alike = rooms.alike()
+    works = np.empty(alike.shape)
+    for design, place in _distinct(alike):
 
         def slope(angle: Array, design: int = design, place: int = place) -> Array:
             return rooms.volume_of(design, place, angle.ravel()).first.reshape(angle.shape)
 
         work = diagram_work(diagrams.diagram[design, place, 0], slope)
-        works[design, rooms.alike[design] == place] = work
+        works[design, alike[design] == place] = work
     return works
 
 

@@ -77,7 +77,7 @@ def burning_chambers(numbers: WiebeNumbers, rooms: Rooms) -> BurningChambers:
             allowed = _("needs [shaft.main] speed: what the walls take goes by time")
             raise InputError([Problem(f"{rooms.path}.heat_transfer", None, allowed)])
         transfer = numbers.transfer / rooms.speed
-    shape = (*rooms.alike.shape, 1)
+    shape = (*rooms.bottoms.shape[:2], 1)
     wiebe = Wiebe(*(np.broadcast_to(part, shape) for part in numbers._replace(transfer=transfer)[: len(Wiebe._fields)]))
     around = partial(walls, rooms.area[..., np.newaxis])
     return BurningChambers(

@@ -65,8 +65,8 @@ class GasInChambers(Flagged):
         φ of each chamber's nominal firing. [rad]
     cycle : float
         [rad]
-    origin : array of int, shape (design, chamber)
-        The first of its design's chambers that is like it but for the phase.
+    likeness : Likeness
+        Which chambers are like one another.
     fillings : tuple of Filling
     """
 
@@ -77,8 +77,14 @@ class GasInChambers(Flagged):
     tops: Array
     firing: Array
     cycle: float
-    origin: NDArray[np.intp]
+    likeness: "Likeness | None" = None
     fillings: tuple[Filling, ...] = ()
+
+    @property
+    def origin(self) -> NDArray[np.intp]:
+        """The first of its design's chambers that is like each but for the phase, shape (design, chamber)."""
+        assert self.likeness is not None
+        return self.likeness.origin
 
     def volume(self, angle: Array) -> Coefficient:
         """Volume of every chamber at φ [rad], and its derivatives, shape (design, chamber, n). [m³, m³/rad, m³/rad²]"""
@@ -140,7 +146,7 @@ class GasInChambers(Flagged):
 
     def by_chamber(self, found: Iterable[tuple[Filling, Array]]) -> Array:
         """What some fillings have, of shape (design, own chamber), for every chamber: NaN of the others."""
-        whole = np.full(self.origin.shape, np.nan)
+        whole = np.full(self.firing.shape[:2], np.nan)
         for filling, own in found:
             whole[:, filling.places] = own
         return whole
@@ -192,6 +198,39 @@ class GasInChambers(Flagged):
         return self.chambers.pushed(pressure - self.chambers.ambient[..., np.newaxis])
 
 
+@record
+class Likeness:
+    """Which chambers go through the same volumes with the same gas, each from its own firing; found when it is asked.
+
+    Attributes
+    ----------
+    gas : GasInChambers
+        Before anything fills them.
+    table : array of int, shape (chamber,)
+        Which table fills each.
+    """
+
+    gas: GasInChambers
+    table: NDArray[np.intp]
+
+    @cached_property
+    def origin(self) -> NDArray[np.intp]:
+        """The first chamber of each design with the same table, volumes and ambient, shape (design, chamber)."""
+        gas, every = self.gas, range(len(self.table))
+        then = gas.at_own(gas.firing + _TELLING, every, lambda angle: gas.volume(angle).value)
+        seen = np.concatenate([*gas.limits, then], axis=-1)
+        place = 10.0 ** (_DIGITS - 1 - np.floor(np.log10(np.abs(seen))))
+        rounded = np.rint(seen * place) / place
+        is_same = np.all(rounded[:, :, np.newaxis] == rounded[:, np.newaxis], axis=-1)
+        ambient = gas.chambers.ambient
+        is_same &= ambient[:, :, np.newaxis] == ambient[:, np.newaxis]
+        return np.argmax(is_same & (self.table[:, np.newaxis] == self.table), axis=-1)
+
+    def among(self, places: NDArray[np.intp]) -> NDArray[np.intp]:
+        """Which of some chambers each of them is like, shape (design, place)."""
+        return np.searchsorted(places, self.origin[:, places])
+
+
 def gas_in_chambers(
     gas: DeclaredGas,
     cycle: Cycle,
@@ -231,9 +270,8 @@ def gas_in_chambers(
         tops=dead_centres.top_position[..., np.newaxis],
         firing=nominal[..., np.newaxis],
         cycle=cycle.length,
-        origin=np.zeros(nominal.shape, dtype=np.intp),
     )
-    like = replace(empty, origin=_origin(empty, gas))
+    like = replace(empty, likeness=Likeness(empty, gas.table))
     _least, bottom = empty.dead_centres(travel)
     fillings = tuple(_filled(like, gas, bottom, None if speed is None else speed.mean))
     notes = [note for one in fillings for note in one.fluid.notes(one.ready)]
@@ -269,7 +307,7 @@ def _rooms(gas: GasInChambers, table: GasTable, places: NDArray[np.intp], bottom
         limits=VolumeLimits(*(part[:, places] for part in gas.limits)),
         area=gas.chambers.area[:, places, np.newaxis],
         bottoms=np.stack([after - 2 * np.pi, after], axis=-1)[:, places],
-        alike=np.searchsorted(places, gas.origin[:, places]),
+        alike=partial(gas.likeness.among, places),
         speed=speed,
         volume_of=partial(_volume_from_firing, gas, places),
     )
@@ -281,19 +319,6 @@ def _volume_from_firing(
     """Volume of one of some chambers, of one design, at angles since its nominal firing [rad]; as `volume_of`."""
     place = int(places[own])
     return gas.volume_of(design, place, angle + gas.firing[design, place])
-
-
-def _origin(gas: GasInChambers, declared: DeclaredGas) -> NDArray[np.intp]:
-    """Find the first chamber of each design with the same table, volumes and ambient."""
-    every = range(len(gas.chambers.names))
-    then = gas.at_own(gas.firing + _TELLING, every, lambda angle: gas.volume(angle).value)
-    seen = np.concatenate([*gas.limits, then], axis=-1)
-    place = 10.0 ** (_DIGITS - 1 - np.floor(np.log10(np.abs(seen))))
-    rounded = np.rint(seen * place) / place
-    is_same = np.all(rounded[:, :, np.newaxis] == rounded[:, np.newaxis], axis=-1)
-    ambient = gas.chambers.ambient
-    is_same &= ambient[:, :, np.newaxis] == ambient[:, np.newaxis]
-    return np.argmax(is_same & (declared.table[:, np.newaxis] == declared.table), axis=-1)
 
 
 def _refuse_chambers_without_room(chambers: Chambers, volumes: ChamberVolumes) -> None:

@@ -16,6 +16,7 @@ from cranktrain.linkage import compiled as compiled_kernel
 from cranktrain.motion import Array
 from cranktrain.study.cycle import given, nodes, panels
 from cranktrain.study.cycle.kept import keep
+from cranktrain.study.cycle.powers import power
 from cranktrain.transient.compiling import quick
 
 Parameters = ParamSpec("Parameters")
@@ -23,6 +24,8 @@ Outcome = TypeVar("Outcome")
 
 FASTER = frozenset({"contract", "reassoc", "arcp", "nsz"})
 """What sums and products may be made of; what is no number stays so."""
+_AS_WRITTEN = frozenset({"contract"})
+"""Of what is exact in its own order alone."""
 
 
 class Direction(NamedTuple):
@@ -85,7 +88,7 @@ def plain_numpy() -> ModuleType:
     overload(not_asked, strict=False)(compiled_nothing)
     module = ModuleType("plain_numpy")
     vars(module).update({name: thing for name, thing in vars(np).items() if isinstance(thing, np.ufunc | float)})
-    vars(module).update(cos=cosine, sin=sine, arctan2=not_asked)
+    vars(module).update(cos=cosine, sin=sine, arctan2=not_asked, power=compiled_kernel(power, faster=_AS_WRITTEN))
     return module
 
 

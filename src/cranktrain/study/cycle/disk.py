@@ -9,11 +9,11 @@ from pathlib import Path
 from tempfile import gettempdir
 from types import ModuleType
 
-from cranktrain.study.cycle import chambers, compiling, given, loops, nodes, panels, running, tops
+from cranktrain.study.cycle import chambers, compiling, given, loops, nodes, panels, repeats, running, tops
 from cranktrain.study.cycle.kept import fingerprint, folder
 from cranktrain.study.cycle.source import WrittenLoops
 
-_LOOPS = (chambers, compiling, given, loops, nodes, panels, running, tops)
+_LOOPS = (chambers, compiling, given, loops, nodes, panels, repeats, running, tops)
 
 
 def loaded_loops(written: WrittenLoops) -> ModuleType:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.study.cycle.tops import Tops
 
 Places = NDArray[np.intp]
 
@@ -105,8 +106,29 @@ class EvennessAsked(NamedTuple):
     coefficient: Array
 
 
+class Repeats(NamedTuple):
+    """What stands in each one's place after the part of a cycle that may repeat itself.
+
+    Attributes
+    ----------
+    mechanism : array of int, shape (mechanism,)
+    piston : array of int, shape (piston,)
+    chamber : array of int, shape (chamber,)
+    is_taken : array of bool, shape (mechanism,)
+        Which of the mechanisms stand in another's place already.
+    is_first : array of bool, shape (chamber,)
+        Which chambers the others repeat.
+    """
+
+    mechanism: Places
+    piston: Places
+    chamber: Places
+    is_taken: NDArray[np.bool_]
+    is_first: NDArray[np.bool_]
+
+
 class Work(NamedTuple):
-    """ChamberNumbers for the curves of one design at the points of its panels, and for what they are made of.
+    """Room for the curves of one design at the points of its panels, and for what they are made of.
 
     Attributes
     ----------
@@ -116,8 +138,11 @@ class Work(NamedTuple):
         Distance of each pin from its shaft. [m]
     push : Array, shape (piston, point)
         Force of the gas on each, toward its shaft. [N]
+    gas : Array, shape (point,)
+        Pressure of one chamber. [Pa]
     on_rod : Array, shape (3, mechanism, point)
         What slaves do to each rod. [N, N, N·m]
+    repeats : Repeats
     pole, away : Array, shape (chamber,)
         φ of the poles beside least volumes, and how far they are from the real axis. [rad]
     torque : Array, shape (2, point)
@@ -130,7 +155,7 @@ class Work(NamedTuple):
         [N]
     rod : Array, shape (4, piston, point)
         P, N, and S at the piston pin and at the other one. [N]
-    tops : Array, shape (4, 64)
+    tops : Tops
     speeds : Array, shape (5,)
         As `Found.running` of one design. [rad/s, rad]
     """
@@ -139,7 +164,9 @@ class Work(NamedTuple):
     sin: Array
     slider: Array
     push: Array
+    gas: Array
     on_rod: Array
+    repeats: Repeats
     pole: Array
     away: Array
     torque: Array
@@ -148,7 +175,7 @@ class Work(NamedTuple):
     joint_x: Array
     joint_y: Array
     rod: Array
-    tops: Array
+    tops: Tops
     speeds: Array
 
 

@@ -5,9 +5,9 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.study.cycle.given import ChamberNumbers, EvennessAsked, Found, TurningDesigns, Work
 from cranktrain.study.cycle.nodes import PanelNodes
-from cranktrain.study.cycle.panels import Panels, cut, sorted_edges
-from cranktrain.study.cycle.running import exact_flywheel, fluctuation_of, integral_of, mean_of
-from cranktrain.study.cycle.tops import highest, largest_size, mean_size, unresolved
+from cranktrain.study.cycle.panels import CutCycle, Panels, cut, sorted_edges
+from cranktrain.study.cycle.running import exact_flywheel, fluctuation_of, integral_of, mean_of, mertsalov_flywheel
+from cranktrain.study.cycle.tops import Tops, highest, largest_size, mean_size, unresolved
 
 FINEST = 8.0
 """By what panels are made narrower at most until they show all curves."""
@@ -22,118 +22,120 @@ _ALIKE = 1e-9
 """Values that differ by less, in parts of the larger, are one."""
 
 
-def own_edges(design: int, turning: TurningDesigns, room: ChamberNumbers, panels: Panels) -> int:
-    """List φ of the dead centres of chambers; give how many there are."""
+def own_edges(design: int, turning: TurningDesigns, room: ChamberNumbers, panels: Panels, work: Work) -> int:
+    """List φ of the dead centres of those chambers that others repeat; give how many there are."""
     n_edges, n_turns = 0, int(np.floor(turning.cycle / _TURN + 0.5))
     for turn in range(n_turns):
         for chamber in range(room.least.shape[1]):
-            panels.edge[n_edges] = room.least[design, chamber] + turn * _TURN
-            panels.edge[n_edges + 1] = room.greatest[design, chamber] + turn * _TURN
-            n_edges += 2
+            if work.repeats.is_first[chamber]:
+                panels.edge[n_edges] = room.least[design, chamber] + turn * _TURN
+                panels.edge[n_edges + 1] = room.greatest[design, chamber] + turn * _TURN
+                n_edges += 2
     return n_edges
 
 
 def cut_cycle(
-    n_edges: int, finer: float, turning: TurningDesigns, panels: Panels, work: Work, nodes: PanelNodes
-) -> int:
-    """Cut a design's cycle at its edges; give how many panels there are."""
-    kept = sorted_edges(panels.edge, n_edges, turning.cycle)
-    return cut(panels, kept, turning.cycle, work.pole, work.away, finer, nodes)
+    design: int,
+    n_edges: int,
+    n_poles: int,
+    n_repeats: int,
+    finer: float,
+    turning: TurningDesigns,
+    panels: Panels,
+    work: Work,
+    nodes: PanelNodes,
+) -> CutCycle:
+    """Cut a design's cycle, or what it repeats so many times, at its edges."""
+    length = turning.cycle / n_repeats
+    kept = sorted_edges(panels.edge, n_edges, length)
+    zero, poles, away = turning.zero[design], work.pole[:n_poles], work.away[:n_poles]
+    return cut(panels, kept, length, zero, poles, away, finer, nodes)
 
 
-def directions(panels: Panels, count: int, nodes: PanelNodes, work: Work) -> int:
-    """Find cosine and sine of φ at all points of the panels; give how many there are.
+def directions(cut: CutCycle, cos: Array, sin: Array) -> None:
+    """Find cosine and sine of φ at all points of the panels.
 
     From the middle of each panel, by the series of cosine and sine: panels are no wider than these reach.
     """
-    n_points = 0
-    for panel in range(count):
-        first, row, half = panels.first[panel], panels.size[panel], 0.5 * panels.width[panel]
-        middle = panels.start[panel] + half
+    for panel in range(cut.n_panels):
+        first, row, half = cut.panels.first[panel], cut.panels.size[panel], 0.5 * cut.panels.width[panel]
+        middle = cut.panels.start[panel] + half
         cos_middle, sin_middle = np.cos(middle), np.sin(middle)
-        size = nodes.size[row]
-        place, own_cos, own_sin = nodes.place[row], work.cos[first : first + size], work.sin[first : first + size]
+        size = cut.nodes.size[row]
+        place, own_cos, own_sin = cut.nodes.place[row], cos[first : first + size], sin[first : first + size]
         for node in range(size):
             x = half * place[node]
-            cos, sin = _cosine(x * x), x * _sine_share(x * x)
-            own_cos[node] = cos_middle * cos - sin_middle * sin
-            own_sin[node] = sin_middle * cos + cos_middle * sin
-        n_points = first + size
-    return n_points
+            of_x, share = _cosine(x * x), x * _sine_share(x * x)
+            own_cos[node] = cos_middle * of_x - sin_middle * share
+            own_sin[node] = sin_middle * of_x + cos_middle * share
 
 
-def shows(curves: Array, panels: Panels, count: int, nodes: PanelNodes) -> bool:
+def push_on(push: Array, area: float, pressure: Array, ambient: float, n_points: int) -> None:
+    """Add what the pressure in a chamber does to a piston, whose area there is 0 of a partner that it has not."""
+    if area != 0.0:
+        for point in range(n_points):
+            push[point] += area * (pressure[point] - ambient)
+
+
+def shows(curves: Array, cut: CutCycle) -> bool:
     """Whether the panels show all of some curves, shape (curve, point)."""
     is_shown = True
     for curve in range(curves.shape[0]):
-        if unresolved(curves[curve], panels, count, nodes, _RESOLVED):
+        if unresolved(curves[curve], cut, _RESOLVED):
             is_shown = False
             break
     return is_shown
 
 
-def tell_torque(
-    design: int, panels: Panels, count: int, nodes: PanelNodes, turning: TurningDesigns, work: Work, found: Array
-) -> None:
+def tell_torque(design: int, cut: CutCycle, work: Work, found: Array) -> None:
     """Find the largest and the smallest torque of a design; `found` is that of `Found`, as in all that follow."""
-    zero, cycle, room = turning.zero[design], turning.cycle, work.tops
-    found[design, 1], found[design, 0] = highest(work.torque[0], 1.0, panels, count, nodes, zero, cycle, room)
-    found[design, 3], found[design, 2] = highest(work.torque[0], -1.0, panels, count, nodes, zero, cycle, room)
+    found[design, 1], found[design, 0] = highest(work.torque[0], 1.0, cut, work.tops)
+    found[design, 3], found[design, 2] = highest(work.torque[0], -1.0, cut, work.tops)
     gross = 0.0
-    for point in range(panels.first[count - 1] + nodes.size[panels.size[count - 1]]):
+    for point in range(cut.n_points):
         gross = max(gross, work.torque[1, point])
     found[design, 4] = gross
 
 
-def tell_joints(
-    design: int, panels: Panels, count: int, nodes: PanelNodes, turning: TurningDesigns, work: Work, found: Array
-) -> None:
+def tell_joints(design: int, cut: CutCycle, work: Work, found: Array) -> None:
     """Find the largest force in every joint."""
-    zero, cycle, room = turning.zero[design], turning.cycle, work.tops
     for joint in range(work.joint_x.shape[0]):
-        found[design, joint, 1], found[design, joint, 0] = largest_size(
-            work.joint_x[joint], work.joint_y[joint], panels, count, nodes, zero, cycle, room
-        )
+        own = found[design, joint]
+        own[1], own[0] = largest_size(work.joint_x[joint], work.joint_y[joint], cut, work.tops)
 
 
-def tell_chambers(
-    design: int, panels: Panels, count: int, nodes: PanelNodes, turning: TurningDesigns, work: Work, found: Array
-) -> None:
+def tell_chambers(design: int, cut: CutCycle, work: Work, found: Array) -> None:
     """Find the largest pressure in every chamber."""
-    zero, cycle, room = turning.zero[design], turning.cycle, work.tops
     for chamber in range(work.pressure.shape[0]):
         own = found[design, chamber]
-        own[1], own[0] = highest(work.pressure[chamber], 1.0, panels, count, nodes, zero, cycle, room)
+        own[1], own[0] = highest(work.pressure[chamber], 1.0, cut, work.tops)
 
 
-def tell_rods(
-    design: int, panels: Panels, count: int, nodes: PanelNodes, turning: TurningDesigns, work: Work, found: Array
-) -> None:
+def tell_rods(design: int, cut: CutCycle, work: Work, found: Array) -> None:
     """Find the largest force along every cylinder, of its wall, and along its rod at either pin."""
-    zero, cycle, room = turning.zero[design], turning.cycle, work.tops
     for piston in range(work.rod.shape[1]):
         for place in range(3):
-            value, angle = _either_way(work.rod[place, piston], panels, count, nodes, zero, cycle, room)
+            value, angle = _either_way(work.rod[place, piston], cut, work.tops)
             if place == _ALONG_ROD:
-                other, where = _either_way(work.rod[3, piston], panels, count, nodes, zero, cycle, room)
+                other, where = _either_way(work.rod[3, piston], cut, work.tops)
                 if other > value * (1.0 + _ALIKE):
                     value, angle = other, where
             found[design, piston, 2 * place], found[design, piston, 2 * place + 1] = value, angle
 
 
-def keep_panels(design: int, panels: Panels, count: int, nodes: PanelNodes, work: Work, found: Found) -> bool:
+def keep_panels(design: int, cut: CutCycle, work: Work, found: Found) -> bool:
     """Keep panels of a design, with the gas's force at their points; give whether there was room for them."""
-    n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
-    if n_points > found.angle.shape[1]:
+    if cut.n_points > found.angle.shape[1]:
         return False
-    found.n_panels[design] = count
-    for panel in range(count):
+    panels = cut.panels
+    found.n_panels[design] = cut.n_panels
+    for panel in range(cut.n_panels):
         found.panel[design, 0, panel], found.panel[design, 1, panel] = panels.start[panel], panels.width[panel]
         found.row[design, panel] = panels.size[panel]
-    for point in range(n_points):
+    for point in range(cut.n_points):
         found.angle[design, point] = panels.angle[point]
     for piston in range(found.push.shape[1]):
-        for point in range(n_points):
+        for point in range(cut.n_points):
             found.push[design, piston, point] = work.push[piston, point]
     return True
 
@@ -147,7 +149,7 @@ def tell_vectors(
     found: Found,
     loads: Array,
     told: Array,
-    room: Array,
+    tops: Tops,
 ) -> None:
     """Find the largest and the mean size of vectors at the points of the kept panels of designs.
 
@@ -158,27 +160,25 @@ def tell_vectors(
         Largest size, its angle, mean size; NaN where the panels do not show a vector. [rad]
     """
     for design in range(first, last):
-        count = found.n_panels[design]
-        n_points = 0
-        for panel in range(count):
+        n_panels, n_points = found.n_panels[design], 0
+        for panel in range(n_panels):
             panels.start[panel], panels.width[panel] = found.panel[design, 0, panel], found.panel[design, 1, panel]
             panels.size[panel], panels.first[panel] = found.row[design, panel], n_points
             n_points += nodes.size[panels.size[panel]]
-        for vector in range(loads.shape[1] if count > 0 else 0):
+        cut = CutCycle(panels, nodes, n_panels, n_points, turning.cycle, turning.zero[design])
+        for vector in range(loads.shape[1] if n_panels > 0 else 0):
             x, y = loads[design, vector, 0], loads[design, vector, 1]
-            if unresolved(x, panels, count, nodes, _BORNE) or unresolved(y, panels, count, nodes, _BORNE):
+            if unresolved(x, cut, _BORNE) or unresolved(y, cut, _BORNE):
                 continue
-            angle, value = largest_size(x, y, panels, count, nodes, turning.zero[design], turning.cycle, room)
+            angle, value = largest_size(x, y, cut, tops)
             told[design, vector, 0], told[design, vector, 1] = value, angle
-            told[design, vector, 2] = mean_size(x, y, panels, count, nodes, turning.cycle, room)
+            told[design, vector, 2] = mean_size(x, y, cut, tops)
 
 
-def _either_way(
-    curve: Array, panels: Panels, count: int, nodes: PanelNodes, zero: float, cycle: float, room: Array
-) -> tuple[float, float]:
+def _either_way(curve: Array, cut: CutCycle, tops: Tops) -> tuple[float, float]:
     """Largest size of a curve, and where that is."""
-    up, most = highest(curve, 1.0, panels, count, nodes, zero, cycle, room)
-    down, least = highest(curve, -1.0, panels, count, nodes, zero, cycle, room)
+    up, most = highest(curve, 1.0, cut, tops)
+    down, least = highest(curve, -1.0, cut, tops)
     alike = _ALIKE * max(most, -least)
     if most > -least + alike:
         return most, up
@@ -188,54 +188,27 @@ def _either_way(
 
 
 def tell_running(
-    design: int,
-    panels: Panels,
-    count: int,
-    nodes: PanelNodes,
-    turning: TurningDesigns,
-    wanted: EvennessAsked,
-    work: Work,
-    found: Found,
+    design: int, cut: CutCycle, turning: TurningDesigns, wanted: EvennessAsked, work: Work, found: Found
 ) -> bool:
     """Find how evenly a design runs; give whether all that was asked is known."""
-    zero, cycle, room, speed = turning.zero[design], turning.cycle, work.tops, turning.speed[design]
-    mean = mean_of(work.running[0], panels, count, nodes, cycle)
-    integral_of(work.running[0], mean, panels, count, nodes, work.running[2])
-    _angle, most = highest(work.running[2], 1.0, panels, count, nodes, zero, cycle, room)
-    _angle, least = highest(work.running[2], -1.0, panels, count, nodes, zero, cycle, room)
-    found.work[design] = most - least
+    tops, speed = work.tops, turning.speed[design]
     stored, inertia, square = work.running[2], work.running[1], work.running[3]
+    integral_of(work.running[0], mean_of(work.running[0], cut), cut, stored)
+    excess = highest(stored, 1.0, cut, tops)[1] - highest(stored, -1.0, cut, tops)[1]
+    found.work[design] = excess
     for flywheel in range(wanted.inertia.shape[1]):
-        if not fluctuation_of(
-            stored,
-            inertia,
-            wanted.inertia[design, flywheel],
-            speed,
-            panels,
-            count,
-            nodes,
-            cycle,
-            square,
-            room,
-            zero,
-            found.running[design],
-        ):
+        added, own = wanted.inertia[design, flywheel], found.running[design]
+        if not fluctuation_of(stored, inertia, added, speed, cut, square, tops, own):
             return False
     for coefficient in range(wanted.coefficient.shape[1]):
         delta = wanted.coefficient[design, coefficient]
         sizes, given = found.flywheel[design], work.speeds
-        sizes[0] = exact_flywheel(stored, inertia, speed, delta, panels, count, nodes, cycle, square, room)
-        n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
-        for point in range(n_points):
-            square[point] = stored[point] - 0.5 * speed * speed * inertia[point]
-        _angle, upper = highest(square, 1.0, panels, count, nodes, zero, cycle, room)
-        _angle, lower = highest(square, -1.0, panels, count, nodes, zero, cycle, room)
-        sizes[1] = (upper - lower) / (delta * speed * speed)
-        sizes[2] = (most - least) / (delta * speed * speed)
+        sizes[0] = exact_flywheel(stored, inertia, speed, delta, cut, square, tops)
+        sizes[1] = mertsalov_flywheel(stored, inertia, speed, delta, cut, square, tops)
+        sizes[2] = excess / (delta * speed * speed)
         for method in range(3):
-            if sizes[method] != sizes[method] or not fluctuation_of(
-                stored, inertia, sizes[method], speed, panels, count, nodes, cycle, square, room, zero, given
-            ):
+            size = sizes[method]
+            if size != size or not fluctuation_of(stored, inertia, size, speed, cut, square, tops, given):
                 return False
             sizes[3 + method] = (given[0] - given[2]) / speed
     return True

@@ -14,11 +14,11 @@ from cranktrain.questions.cylinders.travel import CylinderTravel
 from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.forces.solved_cycle import Member
 from cranktrain.questions.gas.chambers import GasInChambers
-from cranktrain.study.cycle.given import ChamberNumbers, Found, OfFluid, OfKind, Work
+from cranktrain.study.cycle.given import ChamberNumbers, Found, OfFluid, OfKind, Repeats, Work
 from cranktrain.study.cycle.nodes import SIZES
 from cranktrain.study.cycle.panels import MOST_PANELS
 from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape, shape_of
-from cranktrain.study.cycle.tops import MOST_TOPS
+from cranktrain.study.cycle.tops import room_for_tops
 
 MOST_POINTS = 2048
 """Points of a design that are kept."""
@@ -170,7 +170,7 @@ def _kinks(gas: GasInChambers) -> tuple[Array, Array, Array]:
 def room_to_work(
     structure: CycleStructure, room: ChamberNumbers, n_mechanisms: int, n_pistons: int, n_joints: int
 ) -> Work:
-    """ChamberNumbers for the curves of one design."""
+    """Room for the curves of one design."""
     n_points, n_chambers = MOST_PANELS * max(SIZES), len(room.partner)
     asks = structure.asks
     n_pressures = n_chambers if "pressure" in asks else 0
@@ -182,7 +182,15 @@ def room_to_work(
         sin=sin,
         slider=np.zeros((n_pistons, n_points)),
         push=np.zeros((n_pistons, n_points)),
+        gas=np.zeros(n_points),
         on_rod=np.zeros((3, n_mechanisms, n_points)),
+        repeats=Repeats(
+            mechanism=np.zeros(n_mechanisms, dtype=np.intp),
+            piston=np.zeros(n_pistons, dtype=np.intp),
+            chamber=np.zeros(n_chambers, dtype=np.intp),
+            is_taken=np.zeros(n_mechanisms, dtype=np.bool_),
+            is_first=np.ones(n_chambers, dtype=np.bool_),
+        ),
         pole=np.zeros(n_chambers),
         away=np.zeros(n_chambers),
         torque=np.zeros((2, n_points)),
@@ -191,13 +199,13 @@ def room_to_work(
         joint_x=np.zeros((n_forces, n_points)),
         joint_y=np.zeros((n_forces, n_points)),
         rod=np.zeros((4, n_rods, n_points)),
-        tops=np.zeros((4, MOST_TOPS)),
+        tops=room_for_tops(n_points, max(SIZES)),
         speeds=np.zeros(5),
     )
 
 
 def nothing_found(structure: CycleStructure, work: Work, n_designs: int) -> Found:
-    """ChamberNumbers for the facts of all designs, of which none is known yet."""
+    """Room for the facts of all designs, of which none is known yet."""
     keeps = "points" in structure.asks
 
     def unknown(*shape: int) -> Array:

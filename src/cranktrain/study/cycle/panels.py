@@ -19,7 +19,7 @@ _REACH = 2.8
 
 
 class Panels(NamedTuple):
-    """Panels of one design, as many as `count` says, and their points.
+    """Room for the panels of one design, and for their points.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class Panels(NamedTuple):
     angle : Array, shape (point,)
         φ. [rad]
     edge : Array, shape (panel + 1,)
-        ChamberNumbers to sort events in.
+        To sort events in.
     """
 
     start: Array
@@ -41,8 +41,29 @@ class Panels(NamedTuple):
     edge: Array
 
 
+class CutCycle(NamedTuple):
+    """A cycle cut into panels; of one that repeats itself within, what it repeats.
+
+    Attributes
+    ----------
+    panels : Panels
+    nodes : PanelNodes
+    n_panels, n_points : int
+        How many there are of each; no panels where there was no room for them.
+    length, zero : float
+        After which all repeats, and from where angles count. [rad]
+    """
+
+    panels: Panels
+    nodes: PanelNodes
+    n_panels: int
+    n_points: int
+    length: float
+    zero: float
+
+
 def panel_room(nodes: PanelNodes) -> Panels:
-    """ChamberNumbers for the panels of one design."""
+    """Room for the panels of one design."""
     most = int(nodes.size[-1])
     start, width = np.zeros((2, MOST_PANELS))
     size, first = np.zeros((2, MOST_PANELS), dtype=np.intp)
@@ -68,7 +89,9 @@ def sorted_edges(edge: Array, n_edges: int, cycle: float) -> int:
     return kept
 
 
-def cut(panels: Panels, n_edges: int, cycle: float, poles: Array, away: Array, finer: float, nodes: PanelNodes) -> int:
+def cut(
+    panels: Panels, n_edges: int, length: float, zero: float, poles: Array, away: Array, finer: float, nodes: PanelNodes
+) -> CutCycle:
     """Cut the cycle at its edges, and further where poles are near.
 
     Parameters
@@ -76,36 +99,31 @@ def cut(panels: Panels, n_edges: int, cycle: float, poles: Array, away: Array, f
     panels : Panels
         Whose `edge` holds the sorted edges, and which is filled.
     n_edges : int
-    cycle : float
-        [rad]
+    length, zero : float
+        As of `CutCycle`. [rad]
     poles, away : Array, shape (pole,)
-        φ beside which the curves have poles, and how far from the real axis. [rad]
+        φ beside which the curves have poles, and how far from the real axis; 0 of what has none. [rad]
     finer : float
         By what panels are narrower than usual.
     nodes : PanelNodes
-
-    Returns
-    -------
-    int
-        How many panels; 0 where there is no room for them.
     """
     count, n_points = 0, 0
     for place in range(max(n_edges, 1)):
         start = panels.edge[place] if n_edges > 0 else 0.0
-        end = start + cycle
+        end = start + length
         if n_edges > 0:
-            end = panels.edge[place + 1] if place + 1 < n_edges else panels.edge[0] + cycle
+            end = panels.edge[place + 1] if place + 1 < n_edges else panels.edge[0] + length
         while end - start > 0:
             width = end - start
             # from the start as wide as the poles allow, which lie where other panels begin
-            widest = _widest(start, width, poles, away, cycle, finer)
+            widest = _widest(start, width, poles, away, length, finer)
             while width > widest * (1 + _ALIKE):
                 width = max(widest, width / 2)
-                widest = _widest(start, width, poles, away, cycle, finer)
+                widest = _widest(start, width, poles, away, length, finer)
             if end - start - width <= _ALIKE:
                 width = end - start
             if count == len(panels.start):
-                return 0
+                return CutCycle(panels, nodes, 0, 0, length, zero)
             size = 0
             while width > nodes.share[size] * widest:
                 size += 1
@@ -118,7 +136,7 @@ def cut(panels: Panels, n_edges: int, cycle: float, poles: Array, away: Array, f
             if width == end - start:
                 break
             start += width
-    return count
+    return CutCycle(panels, nodes, count, n_points, length, zero)
 
 
 def _widest(start: float, width: float, poles: Array, away: Array, cycle: float, finer: float) -> float:

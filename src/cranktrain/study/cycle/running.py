@@ -3,9 +3,8 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.nodes import PanelNodes
-from cranktrain.study.cycle.panels import Panels
-from cranktrain.study.cycle.tops import highest
+from cranktrain.study.cycle.panels import CutCycle
+from cranktrain.study.cycle.tops import Tops, highest
 
 _STEPS = 40
 _SETTLED = 1e-13
@@ -13,44 +12,35 @@ _LEAST = 0.1
 """Of the mean speed: how slowly a shaft may turn for its points to show how it does."""
 
 
-def mean_of(values: Array, panels: Panels, count: int, nodes: PanelNodes, cycle: float) -> float:
+def mean_of(values: Array, cut: CutCycle) -> float:
     """Mean of a curve over the cycle."""
     total = 0.0
-    for panel in range(count):
-        first, row = panels.first[panel], panels.size[panel]
-        own, weight = values[first : first + nodes.size[row]], nodes.weight[row]
-        part = 0.0
-        for node in range(nodes.size[row]):
+    for panel in range(cut.n_panels):
+        first, row = cut.panels.first[panel], cut.panels.size[panel]
+        size = cut.nodes.size[row]
+        own, weight, part = values[first : first + size], cut.nodes.weight[row], 0.0
+        for node in range(size):
             part += weight[node] * own[node]
-        total += 0.5 * panels.width[panel] * part
-    return total / cycle
+        total += 0.5 * cut.panels.width[panel] * part
+    return total / cut.length
 
 
-def integral_of(values: Array, mean: float, panels: Panels, count: int, nodes: PanelNodes, integral: Array) -> None:
+def integral_of(values: Array, mean: float, cut: CutCycle, integral: Array) -> None:
     """Fill `integral` with that of a curve less its mean, from the first panel on."""
     before = 0.0
-    for panel in range(count):
-        first, row, half = panels.first[panel], panels.size[panel], 0.5 * panels.width[panel]
-        size = nodes.size[row]
-        own, place = values[first : first + size], nodes.place[row]
+    for panel in range(cut.n_panels):
+        first, row, half = cut.panels.first[panel], cut.panels.size[panel], 0.5 * cut.panels.width[panel]
+        size = cut.nodes.size[row]
+        own, place = values[first : first + size], cut.nodes.place[row]
         for node in range(size):
-            part, weights = 0.0, nodes.integral[row, node]
+            part, weights = 0.0, cut.nodes.integral[row, node]
             for other in range(size):
                 part += weights[other] * own[other]
             integral[first + node] = before + half * (part - mean * (place[node] + 1.0))
         before = integral[first + size - 1]
 
 
-def energy_for(
-    work: Array,
-    inertia: Array,
-    added: float,
-    wanted: float,
-    panels: Panels,
-    count: int,
-    nodes: PanelNodes,
-    cycle: float,
-) -> float:
+def energy_for(work: Array, inertia: Array, added: float, wanted: float, cut: CutCycle) -> float:
     """Kinetic energy beside the excess work at which the mean speed over time is as wanted; NaN where it stops.
 
     Parameters
@@ -61,24 +51,24 @@ def energy_for(
         Inertia of the flywheel. [kg·m²]
     wanted : float
         [rad/s]
+    cut : CutCycle
 
     Notes
     -----
     With ω² = 2(A + E)/J the mean of 1/ω falls with E, and its slope is −⟨1/(ω³J)⟩; docs/theory/evenness, eqs. (17.4)
     and (17.5).
     """
-    lowest, n_points = np.inf, panels.first[count - 1] + nodes.size[panels.size[count - 1]]
-    for point in range(n_points):
+    lowest = np.inf
+    for point in range(cut.n_points):
         lowest = min(lowest, work[point])
-    energy = 0.5 * wanted * wanted * (mean_of(inertia, panels, count, nodes, cycle) + added)
-    energy -= mean_of(work, panels, count, nodes, cycle)
+    energy = 0.5 * wanted * wanted * (mean_of(inertia, cut) + added) - mean_of(work, cut)
     floor = -lowest
     energy = max(energy, floor + 1e-3 * abs(energy))
     for _step in range(_STEPS):
         late, steep = 0.0, 0.0
-        for panel in range(count):
-            first, row = panels.first[panel], panels.size[panel]
-            size, weight = nodes.size[row], nodes.weight[row]
+        for panel in range(cut.n_panels):
+            first, row = cut.panels.first[panel], cut.panels.size[panel]
+            size, weight = cut.nodes.size[row], cut.nodes.weight[row]
             own_work, own_inertia = work[first : first + size], inertia[first : first + size]
             own_late, own_steep = 0.0, 0.0
             for node in range(size):
@@ -86,11 +76,11 @@ def energy_for(
                 slowness = np.sqrt(carried / (2.0 * (own_work[node] + energy)))
                 own_late += weight[node] * slowness
                 own_steep += weight[node] * (slowness * slowness * slowness / carried)
-            late += 0.5 * panels.width[panel] * own_late
-            steep += 0.5 * panels.width[panel] * own_steep
+            late += 0.5 * cut.panels.width[panel] * own_late
+            steep += 0.5 * cut.panels.width[panel] * own_steep
         # by the square of the mean speed, which is nearly a straight line over the energy
-        slow = late / cycle
-        move = 0.5 * slow * ((slow * wanted) * (slow * wanted) - 1.0) * (cycle / steep)
+        slow = late / cut.length
+        move = 0.5 * slow * ((slow * wanted) * (slow * wanted) - 1.0) * (cut.length / steep)
         move = max(move, 0.5 * (floor - energy))
         energy += move
         if not abs(move) > _SETTLED * abs(energy):
@@ -108,22 +98,11 @@ def speeds_at(work: Array, inertia: Array, added: float, energy: float, n_points
 
 
 def fluctuation_of(
-    work: Array,
-    inertia: Array,
-    added: float,
-    wanted: float,
-    panels: Panels,
-    count: int,
-    nodes: PanelNodes,
-    cycle: float,
-    square: Array,
-    room: Array,
-    zero: float,
-    found: Array,
+    work: Array, inertia: Array, added: float, wanted: float, cut: CutCycle, square: Array, tops: Tops, found: Array
 ) -> bool:
     """Largest and smallest speed with a flywheel, at a mean speed over time.
 
-    Parameters are those of `energy_for`; `square`, shape (point,), and `room` are to work in.
+    Parameters are those of `energy_for`; `square`, shape (point,), and `tops` are to work in.
 
     Returns
     -------
@@ -131,76 +110,67 @@ def fluctuation_of(
         Whether it is known; then `found` holds the largest speed and its angle, the smallest and its angle, and the
         mean over the crank angle. [rad/s, rad]
     """
-    energy = energy_for(work, inertia, added, wanted, panels, count, nodes, cycle)
-    n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
-    least = speeds_at(work, inertia, added, energy, n_points, square)
+    energy = energy_for(work, inertia, added, wanted, cut)
+    least = speeds_at(work, inertia, added, energy, cut.n_points, square)
     if not least > (_LEAST * wanted) * (_LEAST * wanted):
         return False
-    found[1], most = highest(square, 1.0, panels, count, nodes, zero, cycle, room)
-    found[3], less = highest(square, -1.0, panels, count, nodes, zero, cycle, room)
+    found[1], most = highest(square, 1.0, cut, tops)
+    found[3], less = highest(square, -1.0, cut, tops)
     found[0], found[2] = np.sqrt(most), np.sqrt(less)
-    for point in range(n_points):
+    for point in range(cut.n_points):
         square[point] = np.sqrt(square[point])
-    found[4] = mean_of(square, panels, count, nodes, cycle)
+    found[4] = mean_of(square, cut)
     return True
 
 
 def flywheel_between(
-    work: Array,
-    inertia: Array,
-    slowest: float,
-    fastest: float,
-    panels: Panels,
-    count: int,
-    nodes: PanelNodes,
-    cycle: float,
-    curve: Array,
-    room: Array,
+    work: Array, inertia: Array, slowest: float, fastest: float, cut: CutCycle, curve: Array, tops: Tops
 ) -> tuple[float, float]:
     """Flywheel with which the speed runs just between two speeds, and the energy beside the excess work with it.
 
     docs/theory/evenness, eq. (17.7).
     """
-    n_points = panels.first[count - 1] + nodes.size[panels.size[count - 1]]
-    for point in range(n_points):
-        curve[point] = work[point] - 0.5 * fastest * fastest * inertia[point]
-    _angle, upper = highest(curve, 1.0, panels, count, nodes, 0.0, cycle, room)
-    for point in range(n_points):
-        curve[point] = work[point] - 0.5 * slowest * slowest * inertia[point]
-    _angle, lower = highest(curve, -1.0, panels, count, nodes, 0.0, cycle, room)
+    upper = _top_less_energy(work, inertia, fastest, 1.0, cut, curve, tops)
+    lower = _top_less_energy(work, inertia, slowest, -1.0, cut, curve, tops)
     size = (upper - lower) / (0.5 * (fastest - slowest) * (fastest + slowest))
     return size, 0.5 * fastest * fastest * size - upper
 
 
+def mertsalov_flywheel(
+    work: Array, inertia: Array, speed: float, fluctuation: float, cut: CutCycle, curve: Array, tops: Tops
+) -> float:
+    """Flywheel by the excess work less the moving parts' energy at one speed; docs/theory/evenness, eq. (17.9)."""
+    upper = _top_less_energy(work, inertia, speed, 1.0, cut, curve, tops)
+    lower = _top_less_energy(work, inertia, speed, -1.0, cut, curve, tops)
+    return (upper - lower) / (fluctuation * speed * speed)
+
+
+def _top_less_energy(
+    work: Array, inertia: Array, speed: float, sign: float, cut: CutCycle, curve: Array, tops: Tops
+) -> float:
+    """Largest or smallest excess work less the energy of the moving parts at a speed."""
+    for point in range(cut.n_points):
+        curve[point] = work[point] - 0.5 * speed * speed * inertia[point]
+    return highest(curve, sign, cut, tops)[1]
+
+
 def exact_flywheel(
-    work: Array,
-    inertia: Array,
-    wanted: float,
-    fluctuation: float,
-    panels: Panels,
-    count: int,
-    nodes: PanelNodes,
-    cycle: float,
-    square: Array,
-    room: Array,
+    work: Array, inertia: Array, wanted: float, fluctuation: float, cut: CutCycle, square: Array, tops: Tops
 ) -> float:
     """Flywheel that gives a fluctuation at a mean speed over time; NaN where none is found. [kg·m²]
 
     The middle of both speeds is looked for by secants: its mean over time is nearly itself. docs/theory/evenness,
     eqs. (17.7) and (17.8).
     """
-    half, n_points = 0.5 * wanted * fluctuation, panels.first[count - 1] + nodes.size[panels.size[count - 1]]
-    middle, before, off_before = wanted, 0.0, 0.0
+    half, middle, before, off_before = 0.5 * wanted * fluctuation, wanted, 0.0, 0.0
     for step in range(_STEPS):
-        size, energy = flywheel_between(
-            work, inertia, middle - half, middle + half, panels, count, nodes, cycle, square, room
-        )
-        least = speeds_at(work, inertia, size, energy, n_points, square)
+        size, energy = flywheel_between(work, inertia, middle - half, middle + half, cut, square, tops)
+        least = speeds_at(work, inertia, size, energy, cut.n_points, square)
         if not least > (_LEAST * wanted) * (_LEAST * wanted):
             return np.nan
-        for point in range(n_points):
+        for point in range(cut.n_points):
             square[point] = 1.0 / np.sqrt(square[point])
-        off = 1.0 / mean_of(square, panels, count, nodes, cycle) - wanted
+        off = 1.0 / mean_of(square, cut) - wanted
         move = -off if step == 0 else -off * (middle - before) / (off - off_before)
         if not abs(move) > _SETTLED * wanted:
             return size

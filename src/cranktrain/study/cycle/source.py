@@ -16,12 +16,20 @@ from cranktrain.study.cycle.loops import (
     directions,
     keep_panels,
     own_edges,
+    push_on,
     shows,
     tell_chambers,
     tell_joints,
     tell_rods,
     tell_running,
     tell_torque,
+)
+from cranktrain.study.cycle.repeats import (
+    begin_repeats,
+    chambers_repeat,
+    first_chambers,
+    masters_repeat,
+    mechanisms_repeat,
 )
 from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape, kernels
 
@@ -40,6 +48,7 @@ def written_cycle(structure: CycleStructure) -> WrittenLoops:
         *_kernels(called, (*_PARTS, *_tellers(structure)), imports),
         *_volume(structure, imports),
         *_fill(structure, imports),
+        *(_repeating(structure) if structure.is_of_shaft else ()),
         *_cycle(structure),
     ]
     return _put_together(imports, body, called)
@@ -68,7 +77,7 @@ def _put_together(imports: Imports, body: Sequence[str], called: Mapping[str, Ca
     return WrittenLoops("\n".join([*head, *body, ""]), tuple(called.values()))
 
 
-_PARTS = (branch_at, nearer, cut_cycle, directions, own_edges, shows)
+_PARTS = (branch_at, nearer, cut_cycle, directions, first_chambers, own_edges, push_on, shows)
 """What is the same for all machines, whatever is asked."""
 
 
@@ -153,7 +162,8 @@ def _fill(structure: CycleStructure, imports: Imports) -> Iterator[str]:
     for thing in (Body, ChamberState, Conditions, Drive, Friction, Gravity, Wrench):
         imports.name(thing)
     yield "@part"
-    yield f"def fill(design, panels, count, n_points, nodes, speed, cycle_length, {_arguments(structure)}, room, work):"
+    yield f"def fill(design, cut, speed, cycle_length, {_arguments(structure)}, room, work):"
+    yield "    n_points = cut.n_points"
     yield "    all_cos, all_sin = work.cos, work.sin"
     if structure.fluids:
         for place, one in enumerate(structure.kinds):
@@ -200,26 +210,24 @@ def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: Imports) 
     yield "        one, other = room.partner[chamber, 0], room.partner[chamber, 1]"
     yield "        area, beside = room.area[design, chamber, 0], room.area[design, chamber, 1]"
     yield "        start += area * room.top[design, one] + beside * room.top[design, other]"
-    yield "        for panel in range(count):"
-    yield "            middle = panels.start[panel] + 0.5 * panels.width[panel]"
+    yield "        for panel in range(cut.n_panels):"
+    yield "            middle = cut.panels.start[panel] + 0.5 * cut.panels.width[panel]"
     yield "            sense, turn = branch_at(middle, room, design, chamber, cycle_length)"
-    yield "            begin = panels.first[panel]"
-    yield "            size = nodes.size[panels.size[panel]]"
+    yield "            begin = cut.panels.first[panel]"
+    yield "            size = cut.nodes.size[cut.panels.size[panel]]"
     yield "            end = begin + size"
     yield "            of_one, of_other = work.slider[one, begin:end], work.slider[other, begin:end]"
-    yield "            on_one, on_other = work.push[one, begin:end], work.push[other, begin:end]"
-    yield "            angle = panels.angle[begin:end]"
-    if "pressure" in asks:
-        yield "            pressures = work.pressure[chamber, begin:end]"
+    yield "            angle, pressure = cut.panels.angle[begin:end], work.gas[begin:end]"
     yield "            for point in range(size):"
     yield "                volume = start - area * of_one[point] - beside * of_other[point]"
     yield "                state = ChamberState(volume, smallest, largest, sense, turn, angle[point] - firing)"
-    yield f"                pressure = pressure_{place}(state, gas)"
+    yield f"                pressure[point] = pressure_{place}(state, gas)"
     if "pressure" in asks:
-        yield "                pressures[point] = pressure"
-    yield "                over = pressure - ambient"
-    yield "                on_one[point] += area * over"
-    yield "                on_other[point] += beside * over"
+        yield "        for point in range(n_points):"
+        yield "            work.pressure[chamber, point] = work.gas[point]"
+    # for itself on each piston: loops whose results may be one another's are not vectorised
+    yield "        push_on(work.push[one], area, work.gas, ambient, n_points)"
+    yield "        push_on(work.push[other], beside, work.gas, ambient, n_points)"
 
 
 def _forces(place: int, one: KindSource, structure: CycleStructure, imports: Imports) -> Iterator[str]:
@@ -308,10 +316,35 @@ def _rod(one: KindSource) -> Iterator[str]:
 def _tellers(structure: CycleStructure) -> Iterator[Callable[..., Any]]:
     """What tells the facts that are asked for."""
     yield from (call for ask, call in _TOLD.items() if ask in structure.asks)
+    if structure.is_of_shaft:
+        yield from (begin_repeats, chambers_repeat, masters_repeat, mechanisms_repeat)
     if structure.needs_inertia:
         yield tell_running
     if "points" in structure.asks:
         yield keep_panels
+
+
+def _repeating(structure: CycleStructure) -> Iterator[str]:
+    """How many times a design's cycle repeats itself."""
+    later = "room, later, turning.cycle, work.repeats"
+    kinds, fluids = range(len(structure.kinds)), range(len(structure.fluids))
+    conditions = [
+        *(f"mechanisms_repeat(design, k{place}, {later})" for place in kinds),
+        *(f"masters_repeat(k{place}, work.repeats)" for place in kinds),
+        *(f"chambers_repeat(design, f{place}, {later})" for place in fluids),
+    ]
+    yield "@part"
+    yield f"def repeating(design, {_arguments(structure)}, room, turning, work):"
+    yield "    found = 1"
+    yield "    for many in range(work.repeats.mechanism.size, 1, -1):"
+    yield "        later = turning.cycle / many"
+    yield "        begin_repeats(work.repeats)"
+    yield f"        if {' and '.join(conditions)}:"
+    yield "            found = many"
+    yield "            break"
+    yield "    return found"
+    yield ""
+    yield ""
 
 
 def _cycle(structure: CycleStructure) -> list[str]:
@@ -320,19 +353,22 @@ def _cycle(structure: CycleStructure) -> list[str]:
     own = f"def cycle(first, last, {arguments}, room, turning, wanted, nodes, panels, work, found):"
     gas = _GAS.format(arguments=arguments) if structure.fluids else ""
     curves = [curve for ask, curve in _CURVES.items() if ask in structure.asks]
-    shown = " and ".join(f"shows({curve}, panels, count, nodes)" for curve in ("work.torque[:1]", *curves))
+    shown = " and ".join(f"shows({curve}, cut)" for curve in ("work.torque[:1]", *curves))
     told = [
-        f"                {call.__name__}(design, panels, count, nodes, turning, work, found.{ask})"
+        f"                {call.__name__}(design, cut, work, found.{ask})"
         for ask, call in _TOLD.items()
         if ask in structure.asks
     ]
     known = "True"
     if structure.needs_inertia:
-        known = "tell_running(design, panels, count, nodes, turning, wanted, work, found)"
+        known = "tell_running(design, cut, turning, wanted, work, found)"
     if "points" in structure.asks:
-        known += " and keep_panels(design, panels, count, nodes, work, found)"
+        known += " and keep_panels(design, cut, work, found)"
     told.append(f"                found.is_known[design] = {known}")
-    return _CYCLE.format(head=own, arguments=arguments, gas=gas, shown=shown, told="\n".join(told)).splitlines()
+    repeats = f"repeating(design, {arguments}, room, turning, work)" if structure.is_of_shaft else "1"
+    return _CYCLE.format(
+        head=own, arguments=arguments, gas=gas, shown=shown, told="\n".join(told), repeats=repeats
+    ).splitlines()
 
 
 _CURVES = {"pressure": "work.pressure", "joint": "work.joint_x", "rod": "work.rod[1]"}
@@ -340,31 +376,35 @@ _CURVES = {"pressure": "work.pressure", "joint": "work.joint_x", "rod": "work.ro
 _TOLD = {"torque": tell_torque, "joint": tell_joints, "pressure": tell_chambers, "rod": tell_rods}
 """What tells the facts that are asked for."""
 
-
 _CYCLE = """\
 @loop
 {head}
     for design in range(first, last):
         speed = turning.speed[design]
+        n_repeats = {repeats}
+        first_chambers(n_repeats, work.repeats)
         finer = 1.0
         while finer <= FINEST:
-            n_edges = own_edges(design, turning, room, panels)
+            n_poles, n_edges = 0, own_edges(design, turning, room, panels, work)
 {gas}\
-            count = cut_cycle(n_edges, finer, turning, panels, work, nodes)
-            if count > 0:
-                n_points = directions(panels, count, nodes, work)
-                fill(design, panels, count, n_points, nodes, speed, turning.cycle, {arguments}, room, work)
-            if count > 0 and {shown}:
+            cut = cut_cycle(design, n_edges, n_poles, n_repeats, finer, turning, panels, work, nodes)
+            if cut.n_panels > 0:
+                directions(cut, work.cos, work.sin)
+                fill(design, cut, speed, turning.cycle, {arguments}, room, work)
+            if cut.n_panels > 0 and {shown}:
 {told}
                 break
             finer *= 2.0"""
 
 _GAS = """\
             for chamber in range(room.partner.shape[0]):
+                if not work.repeats.is_first[chamber]:
+                    continue
                 least = room.least[design, chamber]
                 smallest, _slope, bend = volume_at(design, chamber, least, {arguments}, room)
-                work.pole[chamber] = least
-                work.away[chamber] = np.sqrt(2.0 * smallest / bend)
+                work.pole[n_poles] = least
+                work.away[n_poles] = np.sqrt(2.0 * smallest / bend)
+                n_poles += 1
                 for kink in range(room.sense.size):
                     volume, sense = room.kink[design, chamber, kink], room.sense[kink]
                     if volume > smallest:

@@ -18,6 +18,9 @@ class Shape(NamedTuple):
     fields: "tuple[Shape | None, ...]"
 
 
+_OF_SHAFT = frozenset({"torque", "work", "flywheel", "running"})
+
+
 def shape_of(parts: tuple[object, ...]) -> Shape:
     """Shape of nested tuples of arrays or numbers."""
     fields = (shape_of(cast("tuple[object, ...]", part)) if isinstance(part, tuple) else None for part in parts)
@@ -67,6 +70,11 @@ class CycleStructure:
     def needs_inertia(self) -> bool:
         """Whether it is asked how evenly the machine runs."""
         return bool(self.asks & {"work", "flywheel", "running"})
+
+    @property
+    def is_of_shaft(self) -> bool:
+        """Whether all that is asked is of the shaft, and nothing of any cylinder or joint."""
+        return self.asks <= _OF_SHAFT
 
 
 def kernels(structure: CycleStructure) -> dict[str, Callable[..., Any]]:

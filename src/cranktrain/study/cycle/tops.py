@@ -1,12 +1,13 @@
 """Largest values of curves that are known at Chebyshev's points of panels; plain loops, which compile."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.study.cycle.nodes import PanelNodes
-from cranktrain.study.cycle.panels import Panels
+from cranktrain.study.cycle.panels import CutCycle
 
 MOST_TOPS = 64
 """Tops of one curve that are looked at."""
@@ -24,9 +25,38 @@ _LEVEL = 10.0
 """Slopes and bends of a level curve over a panel, in parts of what is alike."""
 
 
-def highest(
-    values: Array, sign: float, panels: Panels, count: int, nodes: PanelNodes, zero: float, cycle: float, room: Array
-) -> tuple[float, float]:
+class Tops(NamedTuple):
+    """Room to look for the tops of one curve.
+
+    Attributes
+    ----------
+    height : Array, shape (point,)
+    panel, node : array of int, shape (top,)
+        Where tops are looked for.
+    begins : array of bool, shape (top,)
+        Whether it is the first point of what is level so far.
+    angle, value : Array, shape (top,)
+    series : Array, shape (2, order)
+    """
+
+    height: Array
+    panel: NDArray[np.intp]
+    node: NDArray[np.intp]
+    begins: NDArray[np.bool_]
+    angle: Array
+    value: Array
+    series: Array
+
+
+def room_for_tops(n_points: int, n_orders: int) -> Tops:
+    """Room for a curve of so many points, in panels of so many orders."""
+    panel, node = np.zeros((2, MOST_TOPS), dtype=np.intp)
+    angle, value = np.zeros((2, MOST_TOPS))
+    begins = np.zeros(MOST_TOPS, dtype=np.bool_)
+    return Tops(np.zeros(n_points), panel, node, begins, angle, value, np.zeros((2, n_orders)))
+
+
+def highest(values: Array, sign: float, cut: CutCycle, tops: Tops) -> tuple[float, float]:
     """Largest value of a curve, or its smallest.
 
     Parameters
@@ -35,121 +65,122 @@ def highest(
         At the points of the panels.
     sign : float
         +1 for the largest value, −1 for the smallest.
-    panels : Panels
-    count : int
-        How many panels there are.
-    nodes : PanelNodes
-    zero, cycle : float
-        From where angles count, and after which they do again. [rad]
-    room : Array, shape (4, 64)
+    cut : CutCycle
+    tops : Tops
         To work in.
 
     Returns
     -------
     angle, value : float
-        The angle from `zero` in [0, cycle), of alike tops the first. [rad]
+        The angle from where angles count, of alike tops the first. [rad]
     """
-    most, least = -np.inf, np.inf
-    last = panels.first[count - 1] + nodes.size[panels.size[count - 1]] - 1
-    for point in range(last + 1):
-        height = sign * values[point]
-        most, least = max(most, height), min(least, height)
-    enough, best, n_tops = most - _LOOKED_AT * (most - least), most, 0
+    own, heights = values[: cut.n_points], tops.height[: cut.n_points]
+    for point in range(cut.n_points):
+        heights[point] = sign * own[point]
+    most, least = _spread(heights)
     alike = _ALIKE * max(abs(most), abs(least))
-    for panel in range(count):
-        first, row = panels.first[panel], panels.size[panel]
-        has_series = False
-        for node in range(nodes.size[row]):
-            height = sign * values[first + node]
+    best, before, series = most, -1, tops.series[0]
+    n_tops = _tops_at_points(cut, most, least, alike, tops)
+    for top in range(n_tops):
+        panel, node = int(tops.panel[top]), int(tops.node[top])
+        row = cut.panels.size[panel]
+        if panel != before:
+            _series(values, cut.panels.first[panel], row, cut.nodes, series)
+            before = panel
+        way, value = _polished(series, sign, heights[cut.panels.first[panel] + node], alike, node, row, cut.nodes)
+        best = max(best, value)
+        _note(top, way, value, cut, tops)
+    return _first_of_alike(n_tops, best - alike, cut, tops), sign * best
+
+
+def largest_size(x: Array, y: Array, cut: CutCycle, tops: Tops) -> tuple[float, float]:
+    """Largest size of a vector whose components are x and y; parameters and returns as of `highest`."""
+    own_x, own_y, squares = x[: cut.n_points], y[: cut.n_points], tops.height[: cut.n_points]
+    for point in range(cut.n_points):
+        squares[point] = own_x[point] * own_x[point] + own_y[point] * own_y[point]
+    most, least = _spread(squares)
+    alike = 2.0 * _ALIKE * most
+    best, before, of_x, of_y = most, -1, tops.series[0], tops.series[1]
+    n_tops = _tops_at_points(cut, most, least, alike, tops)
+    for top in range(n_tops):
+        panel, node = int(tops.panel[top]), int(tops.node[top])
+        first, row = cut.panels.first[panel], cut.panels.size[panel]
+        if panel != before:
+            _series(x, first, row, cut.nodes, of_x)
+            _series(y, first, row, cut.nodes, of_y)
+            before = panel
+        way, value = _polished_size(of_x, of_y, squares[first + node], node, row, cut.nodes)
+        best = max(best, value)
+        _note(top, way, value, cut, tops)
+    return _first_of_alike(n_tops, best - alike, cut, tops), np.sqrt(best)
+
+
+def _spread(heights: Array) -> tuple[float, float]:
+    """Largest and smallest of some heights."""
+    most, least = -np.inf, np.inf
+    for point in range(heights.size):
+        most, least = max(most, heights[point]), min(least, heights[point])
+    return most, least
+
+
+def _tops_at_points(cut: CutCycle, most: float, least: float, alike: float, tops: Tops) -> int:
+    """Find points beside which a top of the heights may be the highest; give how many there are."""
+    enough, n_tops = most - _LOOKED_AT * (most - least), 0
+    for panel in range(cut.n_panels):
+        first, size = cut.panels.first[panel], cut.nodes.size[cut.panels.size[panel]]
+        heights = tops.height[first : first + size]
+        for node in range(size):
+            height = heights[node]
             if height < enough or n_tops >= MOST_TOPS:
                 continue
-            before = sign * values[first + node - 1] if node > 0 or panel > 0 else sign * values[last]
-            after = sign * values[first + node + 1] if node < nodes.size[row] - 1 else -np.inf
-            # of what is level the first; before a panel stands the one before it
-            goes_on = height <= before + alike
-            if (goes_on and node > 0) or height < before - alike or height < after - alike:
+            # before a panel stands the one before it; of what is level the first
+            before = heights[node - 1] if node > 0 else tops.height[(first if first > 0 else cut.n_points) - 1]
+            after = heights[node + 1] if node < size - 1 else -np.inf
+            begins = height > before + alike
+            if (node > 0 and not begins) or height < before - alike or height < after - alike:
                 continue
-            if not has_series:
-                _series(values, first, row, nodes, room[2])
-                has_series = True
-            way, top = _polished(room[2], sign, height, alike, node, row, nodes)
-            if goes_on and way == nodes.place[row, 0]:
-                continue
-            room[0, n_tops] = panels.start[panel] + panels.width[panel] * (0.5 + 0.5 * way)
-            room[1, n_tops] = top
-            best = max(best, top)
+            tops.panel[n_tops], tops.node[n_tops], tops.begins[n_tops] = panel, node, begins
             n_tops += 1
+    return n_tops
+
+
+def _note(top: int, way: float, value: float, cut: CutCycle, tops: Tops) -> None:
+    """Note a top that was found in its panel; none where a level goes on from the panel before."""
+    panel = tops.panel[top]
+    goes_on = not tops.begins[top] and way == cut.nodes.place[cut.panels.size[panel], 0]
+    tops.angle[top] = cut.panels.start[panel] + cut.panels.width[panel] * (0.5 + 0.5 * way)
+    tops.value[top] = -np.inf if goes_on else value
+
+
+def _first_of_alike(n_tops: int, enough: float, cut: CutCycle, tops: Tops) -> float:
+    """Angle of the first of all tops that are high enough, from where angles count."""
     angle = np.inf
     for top in range(n_tops):
-        counted = _counted(room[0, top] - zero, cycle)
-        if room[1, top] >= best - alike and counted < angle:
+        counted = _counted(tops.angle[top] - cut.zero, cut.length)
+        if tops.value[top] >= enough and counted < angle:
             angle = counted
-    return angle, sign * best
+    return angle
 
 
-def largest_size(
-    x: Array, y: Array, panels: Panels, count: int, nodes: PanelNodes, zero: float, cycle: float, room: Array
-) -> tuple[float, float]:
-    """Largest size of a vector whose components are x and y; parameters and returns as of `highest`."""
-    most, least = -1.0, np.inf
-    last = panels.first[count - 1] + nodes.size[panels.size[count - 1]] - 1
-    for point in range(last + 1):
-        square = x[point] * x[point] + y[point] * y[point]
-        most, least = max(most, square), min(least, square)
-    enough, best, n_tops, alike = most - _LOOKED_AT * (most - least), most, 0, 2.0 * _ALIKE * most
-    for panel in range(count):
-        first, row = panels.first[panel], panels.size[panel]
-        has_series = False
-        for node in range(nodes.size[row]):
-            point = first + node
-            square = x[point] * x[point] + y[point] * y[point]
-            if square < enough or n_tops >= MOST_TOPS:
-                continue
-            beside = point - 1 if point > 0 else last
-            before = x[beside] * x[beside] + y[beside] * y[beside]
-            is_last = node == nodes.size[row] - 1
-            after = -np.inf if is_last else x[point + 1] * x[point + 1] + y[point + 1] * y[point + 1]
-            goes_on = square <= before + alike
-            if (goes_on and node > 0) or square < before - alike or square < after - alike:
-                continue
-            if not has_series:
-                _series(x, first, row, nodes, room[2])
-                _series(y, first, row, nodes, room[3])
-                has_series = True
-            way, top = _polished_size(room[2], room[3], square, node, row, nodes)
-            if goes_on and way == nodes.place[row, 0]:
-                continue
-            room[0, n_tops] = panels.start[panel] + panels.width[panel] * (0.5 + 0.5 * way)
-            room[1, n_tops] = top
-            best = max(best, top)
-            n_tops += 1
-    angle = np.inf
-    for top in range(n_tops):
-        counted = _counted(room[0, top] - zero, cycle)
-        if room[1, top] >= best - alike and counted < angle:
-            angle = counted
-    return angle, np.sqrt(best)
-
-
-def mean_size(x: Array, y: Array, panels: Panels, count: int, nodes: PanelNodes, cycle: float, room: Array) -> float:
+def mean_size(x: Array, y: Array, cut: CutCycle, tops: Tops) -> float:
     """Mean over the cycle of the size of a vector, whose square is smooth and which may come near to 0."""
-    total = 0.0
-    for panel in range(count):
-        first, row = panels.first[panel], panels.size[panel]
-        _series(x, first, row, nodes, room[2])
-        _series(y, first, row, nodes, room[3])
+    total, of_x, of_y = 0.0, tops.series[0], tops.series[1]
+    for panel in range(cut.n_panels):
+        first, row = cut.panels.first[panel], cut.panels.size[panel]
+        _series(x, first, row, cut.nodes, of_x)
+        _series(y, first, row, cut.nodes, of_y)
         # pieces of the panel, each halved until it shows the size
         start, width, whole = -1.0, 2.0, 0.0
         while start < 1.0 - _NOTHING:
-            part, is_shown = _integral_of_size(room[2], room[3], start, width, row, nodes)
+            part, is_shown = _integral_of_size(of_x, of_y, start, width, row, cut.nodes)
             if is_shown or width < _NARROWEST:
                 whole += part
                 start += width
                 width = min(2.0 * width, 1.0 - start)
             else:
                 width *= 0.5
-        total += 0.5 * panels.width[panel] * whole
-    return total / cycle
+        total += 0.5 * cut.panels.width[panel] * whole
+    return total / cut.length
 
 
 def _integral_of_size(
@@ -251,13 +282,13 @@ def _counted(angle: float, cycle: float) -> float:
     return 0.0 if cycle - counted < 1e-13 else counted
 
 
-def unresolved(values: Array, panels: Panels, count: int, nodes: PanelNodes, part: float) -> bool:
+def unresolved(values: Array, cut: CutCycle, part: float) -> bool:
     """Whether the last orders of a curve's series are, in any panel, more than a part of its largest size."""
     scale, last = 0.0, 0.0
-    for panel in range(count):
-        first, row = panels.first[panel], panels.size[panel]
-        size = nodes.size[row]
-        own, one, other = values[first : first + size], nodes.series[row, size - 1], nodes.series[row, size - 2]
+    for panel in range(cut.n_panels):
+        first, row = cut.panels.first[panel], cut.panels.size[panel]
+        size = cut.nodes.size[row]
+        own, one, other = values[first : first + size], cut.nodes.series[row, size - 1], cut.nodes.series[row, size - 2]
         of_one, of_other = 0.0, 0.0
         for node in range(size):
             scale = max(scale, abs(own[node]))
