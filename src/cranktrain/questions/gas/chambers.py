@@ -271,12 +271,12 @@ def gas_in_chambers(
         firing=nominal[..., np.newaxis],
         cycle=cycle.length,
     )
-    like = replace(empty, likeness=Likeness(empty, gas.table))
+    likeness = Likeness(empty, gas.table)
     _least, bottom = empty.dead_centres(travel)
-    fillings = tuple(_filled(like, gas, bottom, None if speed is None else speed.mean))
+    fillings = tuple(_filled(likeness, gas, bottom, None if speed is None else speed.mean))
     notes = [note for one in fillings for note in one.fluid.notes(one.ready)]
     flags = [flag for table in gas.tables for flag in table.flags]
-    return replace(like, fillings=fillings, flags=tuple(dict.fromkeys((*flags, *notes))))
+    return replace(empty, likeness=likeness, fillings=fillings, flags=tuple(dict.fromkeys((*flags, *notes))))
 
 
 def can_be_filled(gas: DeclaredGas | None, cycle: Cycle | None, order: FiringOrder | None) -> bool | str:
@@ -285,10 +285,11 @@ def can_be_filled(gas: DeclaredGas | None, cycle: Cycle | None, order: FiringOrd
     return FiringOrder.needs if fires and (cycle is None or cycle.fires) and order is None else True
 
 
-def _filled(gas: GasInChambers, declared: DeclaredGas, bottom: Array, speed: Array | None) -> Iterator[Filling]:
+def _filled(likeness: Likeness, declared: DeclaredGas, bottom: Array, speed: Array | None) -> Iterator[Filling]:
     """Fill the chambers table by table, those of one fluid together; `bottom`: φ of greatest volumes."""
     rooms = [
-        _rooms(gas, one, np.flatnonzero(declared.table == i), bottom, speed) for i, one in enumerate(declared.tables)
+        _rooms(likeness, one, np.flatnonzero(declared.table == i), bottom, speed)
+        for i, one in enumerate(declared.tables)
     ]
     for fluid in dict.fromkeys(one.fluid for one in declared.tables):
         own = [i for i, one in enumerate(declared.tables) if one.fluid is fluid]
@@ -298,8 +299,9 @@ def _filled(gas: GasInChambers, declared: DeclaredGas, bottom: Array, speed: Arr
             yield Filling(fluid, places, rooms[i], fluid.prepared(numbers, rooms[i]))
 
 
-def _rooms(gas: GasInChambers, table: GasTable, places: NDArray[np.intp], bottom: Array, speed: Array | None) -> Rooms:
+def _rooms(likeness: Likeness, table: GasTable, places: NDArray[np.intp], bottom: Array, speed: Array | None) -> Rooms:
     """The chambers of one table, as its fluid asks for them."""
+    gas = likeness.gas
     after = np.mod(bottom - gas.firing[..., 0], 2 * np.pi)
     return Rooms(
         path=table.path,
@@ -307,7 +309,7 @@ def _rooms(gas: GasInChambers, table: GasTable, places: NDArray[np.intp], bottom
         limits=VolumeLimits(*(part[:, places] for part in gas.limits)),
         area=gas.chambers.area[:, places, np.newaxis],
         bottoms=np.stack([after - 2 * np.pi, after], axis=-1)[:, places],
-        alike=partial(gas.likeness.among, places),
+        alike=partial(likeness.among, places),
         speed=speed,
         volume_of=partial(_volume_from_firing, gas, places),
     )

@@ -160,11 +160,11 @@ def tell_vectors(
         Largest size, its angle, mean size; NaN where the panels do not show a vector. [rad]
     """
     for design in range(first, last):
-        n_panels, n_points = found.n_panels[design], 0
+        n_panels, n_points = int(found.n_panels[design]), 0
         for panel in range(n_panels):
             panels.start[panel], panels.width[panel] = found.panel[design, 0, panel], found.panel[design, 1, panel]
             panels.size[panel], panels.first[panel] = found.row[design, panel], n_points
-            n_points += nodes.size[panels.size[panel]]
+            n_points += int(nodes.size[panels.size[panel]])
         cut = CutCycle(panels, nodes, n_panels, n_points, turning.cycle, turning.zero[design])
         for vector in range(loads.shape[1] if n_panels > 0 else 0):
             x, y = loads[design, vector, 0], loads[design, vector, 1]

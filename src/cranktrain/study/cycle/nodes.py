@@ -11,7 +11,7 @@ from cranktrain.numerics.products import product
 
 SIZES = (8, 12, 18, 26)
 """Points of a panel, by how wide it is."""
-SHARES = (0.05, 0.2, 0.6, np.inf)
+SHARES = (0.05, 0.2, 0.5, np.inf)
 """Up to which part of the widest that shows a curve."""
 
 

@@ -14,7 +14,7 @@ _ALIKE = 1e-11
 """Edges that are closer are one. [rad]"""
 _WIDEST = 3.2
 """Of a panel, for the motion itself. [rad]"""
-_REACH = 2.8
+_REACH = 2.2
 """How wide a panel may be for the distance of the pole that a pressure has beside its least volume."""
 
 

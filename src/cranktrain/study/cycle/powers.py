@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from cranktrain.motion import Array
-
 _BIT = 52
 """Where the exponent of two begins in the bits of a number."""
 _BIAS = 1023
@@ -18,7 +16,7 @@ _MOST = 700.0
 """Logarithm of the largest power; of larger ones none is found, nor of smaller ones than its inverse."""
 
 
-def power(base: Array, exponent: Array) -> Array:
+def power(base: float, exponent: float) -> float:
     """Power of a positive number; NaN of others, and of what is beyond 10³⁰⁴ or below its inverse.
 
     Notes
@@ -33,10 +31,10 @@ def power(base: Array, exponent: Array) -> Array:
     s = (rest - 1.0) / (rest + 1.0)
     log = (np.int64(last + of_two).view(np.float64) - _LAST_IS_ONE) * _LOG_2 + (2.0 * s + s * s * s * _artanh(s * s))
     wanted = exponent * log
-    twos = np.rint(wanted * (1.0 / _LOG_2))
+    twos = float(np.rint(wanted * (1.0 / _LOG_2)))
     found = _exponential(wanted - twos * _LOG_2_HIGH - twos * _LOG_2_LOW)
     scale = np.int64((np.float64(twos + _LAST_IS_ONE).view(np.int64) + _BIAS) << _BIT).view(np.float64)
-    return found * scale if base > 0.0 and abs(wanted) < _MOST else np.nan
+    return float(found * scale) if base > 0.0 and abs(wanted) < _MOST else np.nan
 
 
 def _artanh(square: float) -> float:

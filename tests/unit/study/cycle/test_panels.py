@@ -13,7 +13,7 @@ from cranktrain.study.cycle.running import (
     integral_of,
     mean_of,
 )
-from cranktrain.study.cycle.tops import highest, largest_size, mean_size, unresolved
+from cranktrain.study.cycle.tops import highest, largest_size, mean_size, room_for_tops, unresolved
 
 TURN = 2 * np.pi
 NODES = nodes()
@@ -23,14 +23,13 @@ NO_POLES = np.zeros(0)
 class Cut:
     """A turn cut at some edges."""
 
-    def __init__(self, edges=(), cycle=TURN, poles=NO_POLES, away=NO_POLES, finer=1.0):
-        self.panels, self.cycle = panel_room(NODES), cycle
+    def __init__(self, edges=(), cycle=TURN, poles=NO_POLES, away=NO_POLES, finer=1.0, zero=0.0):
+        self.panels = panel_room(NODES)
         self.panels.edge[: len(edges)] = edges
         n_edges = sorted_edges(self.panels.edge, len(edges), cycle)
-        self.count = cut(self.panels, n_edges, cycle, np.asarray(poles), np.asarray(away), finer, NODES)
-        self.n_points = int(self.panels.first[self.count - 1] + NODES.size[self.panels.size[self.count - 1]])
-        self.given = self.panels, self.count, NODES
-        self.room = np.zeros((4, 64))
+        self.cut = cut(self.panels, n_edges, cycle, zero, np.asarray(poles), np.asarray(away), finer, NODES)
+        self.count, self.n_points = self.cut.n_panels, self.cut.n_points
+        self.tops = room_for_tops(len(self.panels.angle), int(NODES.size[-1]))
 
     @property
     def angle(self):
@@ -43,7 +42,7 @@ class Cut:
         return values
 
     def highest(self, values, sign, zero=0.0):
-        return highest(values, sign, *self.given, zero, self.cycle, self.room)
+        return highest(values, sign, self.cut._replace(zero=zero), self.tops)
 
 
 @pytest.mark.parametrize("edges", [(), (1.0,), (0.3, 2.0, 2.0 + 1e-13, 7.0, -0.5)])
@@ -60,10 +59,10 @@ def test_panels_are_narrow_beside_a_pole():
     own = Cut((0.0,), TURN, [0.0], [0.01])
     assert own.panels.width[0] < 0.05
     curve = own.laid(lambda phi: 1 / (1.0001 - np.cos(phi)))
-    assert not unresolved(curve, *own.given, 1e-9)
-    assert unresolved(Cut().laid(lambda phi: 1 / (1.0001 - np.cos(phi))), *Cut().given, 1e-9)
+    assert not unresolved(curve, own.cut, 1e-9)
+    assert unresolved(Cut().laid(lambda phi: 1 / (1.0001 - np.cos(phi))), Cut().cut, 1e-9)
     # ∮ dφ/(a − cos φ) = 2π/√(a² − 1)
-    np.testing.assert_allclose(mean_of(curve, *own.given, TURN), 1 / np.sqrt(1.0001**2 - 1), rtol=1e-9)
+    np.testing.assert_allclose(mean_of(curve, own.cut), 1 / np.sqrt(1.0001**2 - 1), rtol=1e-9)
 
 
 def test_no_room_for_panels_is_said():
@@ -72,13 +71,11 @@ def test_no_room_for_panels_is_said():
 
 
 def test_directions_are_cosine_and_sine():
-    class Work:
-        cos, sin = np.zeros((2, 20000))
-
     own = Cut((0.4, 3.0), 2 * TURN)
-    assert directions(*own.given, Work) == own.n_points
-    np.testing.assert_allclose(Work.cos[: own.n_points], np.cos(own.angle), atol=4e-16)
-    np.testing.assert_allclose(Work.sin[: own.n_points], np.sin(own.angle), atol=4e-16)
+    cos, sin = np.zeros((2, own.n_points))
+    directions(own.cut, cos, sin)
+    np.testing.assert_allclose(cos, np.cos(own.angle), atol=4e-16)
+    np.testing.assert_allclose(sin, np.sin(own.angle), atol=4e-16)
 
 
 @pytest.mark.parametrize("at", [0.0, 0.7, 3.1, 6.2])
@@ -99,7 +96,7 @@ def test_a_top_beside_the_edge_of_a_panel(beside):
     angle, value = own.highest(values, 1.0)
     assert (angle, value) == (pytest.approx(1.9 + beside, abs=1e-8), pytest.approx(1.0, rel=1e-15))
     x, y = own.laid(lambda phi: 2 + np.cos(phi - 1.9 - beside)), own.laid(lambda phi: 0.0 * phi)
-    angle, value = largest_size(x, y, *own.given, 0.0, TURN, own.room)
+    angle, value = largest_size(x, y, own.cut, own.tops)
     assert (angle, value) == (pytest.approx(1.9 + beside, abs=1e-8), pytest.approx(3.0, rel=1e-15))
 
 
@@ -129,25 +126,25 @@ def test_tops_that_are_nearly_alike_are_told_apart():
 def test_sizes_of_vectors():
     own = Cut((0.2, 2.2))
     x, y = own.laid(lambda phi: 3 * np.cos(phi)), own.laid(lambda phi: 2 * np.sin(phi))
-    angle, size = largest_size(x, y, *own.given, 0.0, TURN, own.room)
+    angle, size = largest_size(x, y, own.cut, own.tops)
     assert (angle % np.pi, size) == (pytest.approx(0.0, abs=1e-8), pytest.approx(3.0, rel=1e-14))
     # half of an ellipse's girth by Legendre's integral
     from scipy.special import ellipe
 
-    assert mean_size(x, y, *own.given, TURN, own.room) == pytest.approx(4 * 3 * ellipe(1 - 4 / 9) / TURN, rel=1e-12)
+    assert mean_size(x, y, own.cut, own.tops) == pytest.approx(4 * 3 * ellipe(1 - 4 / 9) / TURN, rel=1e-12)
 
 
 def test_the_mean_size_of_what_passes_through_nothing():
     own = Cut((0.2, 2.2))
     x = own.laid(np.cos)
     nothing = np.zeros_like(x)
-    assert mean_size(x, nothing, *own.given, TURN, own.room) == pytest.approx(2 / np.pi, rel=1e-9)
+    assert mean_size(x, nothing, own.cut, own.tops) == pytest.approx(2 / np.pi, rel=1e-9)
 
 
 def test_integrals_from_the_first_panel_on():
     own = Cut((0.2, 2.2))
     integral = np.zeros(len(own.panels.angle))
-    integral_of(own.laid(lambda phi: 5 + np.cos(phi)), 5.0, *own.given, integral)
+    integral_of(own.laid(lambda phi: 5 + np.cos(phi)), 5.0, own.cut, integral)
     exact = np.sin(own.angle) - np.sin(own.panels.start[0])
     np.testing.assert_allclose(integral[: own.n_points], exact, atol=1e-13)
 
@@ -162,14 +159,14 @@ def test_speed_by_the_energy():
     carried = own.laid(lambda phi: np.full(phi.shape, 0.5))
     # ⟨1/√(1 + a sin φ)⟩ = 2 K(m)/(π √(1 + a)), m = 2a/(1 + a)
     mean = speed * np.pi * np.sqrt(1 + a) / (2 * ellipk(2 * a / (1 + a)))
-    energy = energy_for(work, carried, inertia - 0.5, mean, *own.given, TURN)
+    energy = energy_for(work, carried, inertia - 0.5, mean, own.cut)
     assert energy == pytest.approx(0.5 * inertia * speed**2, rel=1e-12)
     found, square = np.zeros(5), np.zeros(len(own.panels.angle))
-    assert fluctuation_of(work, carried, inertia - 0.5, mean, *own.given, TURN, square, own.room, 0.0, found)
+    assert fluctuation_of(work, carried, inertia - 0.5, mean, own.cut, square, own.tops, found)
     assert found[0] == pytest.approx(speed * np.sqrt(1 + a), rel=1e-12)
     assert found[2] == pytest.approx(speed * np.sqrt(1 - a), rel=1e-12)
     wanted = (found[0] - found[2]) / mean
-    flywheel = exact_flywheel(work, carried, mean, wanted, *own.given, TURN, square, own.room)
+    flywheel = exact_flywheel(work, carried, mean, wanted, own.cut, square, own.tops)
     assert flywheel == pytest.approx(inertia - 0.5, rel=1e-9)
 
 
@@ -177,4 +174,4 @@ def test_a_shaft_that_stops_is_left_to_others():
     own = Cut((0.1,))
     work, carried = own.laid(lambda phi: 100 * np.sin(phi)), own.laid(lambda phi: np.ones(phi.shape))
     found, square = np.zeros(5), np.zeros(len(own.panels.angle))
-    assert not fluctuation_of(work, carried, 0.0, 5.0, *own.given, TURN, square, own.room, 0.0, found)
+    assert not fluctuation_of(work, carried, 0.0, 5.0, own.cut, square, own.tops, found)
