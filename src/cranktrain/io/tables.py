@@ -4,6 +4,7 @@ import csv
 import io
 import itertools
 import json
+import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -13,7 +14,7 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.curve_columns import CurveColumn
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
-from cranktrain.saying.run import Axis, Run
+from cranktrain.saying.run import Axis, RowHeads, Run
 from cranktrain.saying.scales import in_asked_unit
 from cranktrain.version import VERSION
 
@@ -85,17 +86,34 @@ def about(run: Run, columns: Iterable[CurveColumn], places: Array | None) -> Ite
 
 
 def headed(run: Run, columns: Iterable[CurveColumn], places: Array | None) -> dict[str, Array]:
-    """Give the axis and every column by its head, `name(index) [unit]`; parameters as of `csv_text`."""
+    """Give the axis and every column by its head, `name(index) [unit]`; parameters as of `csv_text`.
+
+    Of a run whose facts have a row each the columns that say which before them.
+    """
     found: dict[str, Array] = {}
     if run.axis is not None:
-        found[f"{run.axis.name} [{run.axis.unit}]"] = run.axis.values if places is None else places
+        found[f"{run.axis.name} [{run.axis.unit or '1'}]"] = run.axis.values if places is None else places
     for column in columns:
         entry = column.entry
         unit, values = in_asked_unit(entry.unit, column.values, entry.shown)
         found[f"{entry.name}({column.of}) [{unit}]" if column.of else f"{entry.name} [{unit}]"] = values
+    if run.design_rows is not None:
+        return {**run.design_rows.columns, **dict(_facts_in_rows(run, run.design_rows))}
     for name, of, texts in _marked(run) if places is None else ():
         found[f"{name}({of})" if of else name] = texts
     return found
+
+
+def _facts_in_rows(run: Run, rows: RowHeads) -> Iterator[tuple[str, Array]]:
+    """Facts of runs that have a row each, member by member, and words beside them; in the order of their columns."""
+    for name, entry in run.catalogue.items():
+        unit, values = in_asked_unit(entry.unit, getattr(run, name), entry.shown)
+        members = [labels for dimension, labels in run.labels_of(entry).items() if dimension not in rows.along]
+        columns = values.reshape(-1, math.prod(map(len, members))).T
+        for own, column in zip(itertools.product(*members), columns, strict=True):
+            yield f"{name}({' '.join(own)}) [{unit}]" if own else f"{name} [{unit}]", column
+    for name, (_dimensions, texts, _about) in run.marks.items():
+        yield name, np.ravel(texts)
 
 
 def _marked(run: Run) -> Iterator[tuple[str, str, Any]]:

@@ -45,12 +45,12 @@ def workbook_bytes(
     """
     book = _openpyxl().Workbook(write_only=True)
     shown = headed(run, columns, angles)
-    curves = book.create_sheet(_("curves"))
+    curves = book.create_sheet(_("curves") if run.design_rows is None else _("designs"))
     curves.freeze_panes = "B2"
     curves.append(list(map(_text, shown)))
     for numbers in zip(*(column.tolist() for column in shown.values()), strict=True):
         curves.append(list(map(_cell, numbers)))
-    rows = list(fact_rows(run, facts))
+    rows = list(fact_rows(run, facts)) if run.design_rows is None else []
     if rows:
         sheet = book.create_sheet(_("facts"))
         sheet.freeze_panes = "A2"

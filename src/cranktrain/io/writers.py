@@ -80,7 +80,7 @@ def written(
         from cranktrain.io.netcdf import netcdf_bytes  # only for who asks
 
         yield netcdf_bytes(run, names)
-    elif form.suffix == ".csv" and (form.facts or run.axis is None):
+    elif form.suffix == ".csv" and (form.facts or (run.axis is None and run.design_rows is None)):
         refuse(_is_curve(name) for name in names if not is_all and not _is_fact(run, name))
         yield from fact_csv(run, names, comma=comma)
     else:

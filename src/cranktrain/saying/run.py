@@ -46,6 +46,13 @@ class Marks(NamedTuple):
     about: Words
 
 
+class RowHeads(NamedTuple):
+    """Rows of a table of facts: dimensions along which they stand, and columns that say which each of them is."""
+
+    along: tuple[str, ...]
+    columns: Mapping[str, NDArray[Any]]
+
+
 class BehindQuantity(NamedTuple):
     """What leads to a quantity: names of stages as they run, tables of the file that they read; where more is said."""
 
@@ -125,6 +132,11 @@ class Run:
     def marks(self) -> Mapping[str, Marks]:
         """Words beside its quantities, by name: flags of designs."""
         return {}
+
+    @property
+    def design_rows(self) -> RowHeads | None:
+        """Of which its facts are, where a table has a row for each; None where they stand one below the other."""
+        return None
 
     def needs_of(self, *_quantities: str) -> tuple[Words, ...]:
         """What quantities that are missing would need."""

@@ -49,6 +49,8 @@ class Column:
     how : How
     quantity : str
         Name in the catalogue of what they are, if they are of one.
+    symbol : Words
+        By which the legend names that, once for all columns of it; the head unless given.
     """
 
     head: Words
@@ -56,6 +58,7 @@ class Column:
     unit: str = ""
     how: How = "figure"
     quantity: str = ""
+    symbol: Words = ""
 
 
 @record

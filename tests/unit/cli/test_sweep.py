@@ -3,6 +3,7 @@
 import csv
 import tomllib
 
+import openpyxl
 import pytest
 from PIL import Image
 from tests.sentences import ENDS_IN, NO_FILE, WHOLE_NUMBER
@@ -160,3 +161,66 @@ def test_what_takes_long_has_to_be_meant(typed, pump, monkeypatch):
     assert answer.status == 2
     assert "is 45 designs, which take some" in answer.errors
     assert typed("sweep", pump, *RODS, "--vary", "speed=1..9 rpm:9", "--yes").status == 0
+
+
+def test_rows_and_columns_without_room_are_told(typed, pump):
+    """31 values in even steps on 24 lines at most, 5 of 11 speeds; what all designs share stands in a sentence."""
+    over = ("--vary", "rod_length=60..150 mm:31", "--vary", "speed=1000..2000 rpm:11")
+    answer = typed("sweep", pump, *over, "--wanted", "stroke,mean_piston_speed")
+    lines = answer.output.splitlines()
+    shown = [line.split()[0] for line in lines if line.startswith("  ") and line.split()[1:2] == ["mm"]]
+    assert list(dict.fromkeys(shown)) == [str(rod) for rod in range(60, 151, 6)]
+    assert "alike in all designs: stroke 80.00 mm" in answer.output
+    assert "shown are 16 of 31 values of rod length; a file has all" in answer.output
+    assert "shown are 5 of 11 values of speed; a file has all" in answer.output
+    assert lines.count("  c_m mean_piston_speed") == 1
+
+
+def test_facts_without_room_are_told(typed):
+    answer = typed("sweep", "vaz_21213", "--vary", "rod_length=120..150 mm:3")
+    assert "no room here for shaking_force_largest, largest_bearing_load" in " ".join(answer.output.split())
+    assert answer.output.count("\n") < 60
+    answer = typed("sweep", "vaz_21213", "--vary", "rod_length=120..150 mm:3", "--wanted", "largest_bearing_load")
+    assert "no room" not in answer.output
+
+
+def test_plain_numbers_at_the_head_of_a_column_are_told(typed):
+    vary = ("--vary", "rod_length=120..150 mm:3", "--vary", "compression_ratio=9, 10")
+    answer = typed("sweep", "vaz_21213", *vary, "--wanted", "largest_torque")
+    assert "T_max 9  T_max 10" in answer.output
+    assert "behind each symbol: compression ratio" in answer.output
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".xlsx"])
+def test_a_file_of_a_list_has_a_row_for_each_design(typed, pump, written, tmp_path, suffix):
+    written("name,rod_length [mm],speed\nA,120,3000 rpm\nB,130,\nC,10,\n", "cases.csv")
+    asked = ("--cases", "cases.csv", "--wanted", "mean_piston_speed")
+    assert typed("sweep", pump, *asked, "-o", f"out{suffix}").status == 0
+    rows = _rows(tmp_path / f"out{suffix}")
+    heads = ["case", "name", "rod_length [mm]", "speed", "refused", "mean_piston_speed(1) [m/s]"]
+    assert list(rows[0]) == heads
+    assert [row["name"] for row in rows] == ["A", "B", "C"]
+    assert [float(row["rod_length [mm]"]) for row in rows] == [120, 130, 10]
+    assert [float(row["mean_piston_speed(1) [m/s]"]) for row in rows[:2]] == pytest.approx([8, 4], rel=1e-14)  # 2 S n
+    assert "mechanism.rod_length = 10 mm" in rows[2]["refused"]
+    assert not rows[0]["refused"]
+
+
+def test_a_file_of_words_has_a_row_for_each_combination(typed, pump, tmp_path):
+    vary = ("--vary", "rotation=clockwise, anticlockwise", "--vary", "name=A, B")
+    assert typed("sweep", pump, *vary, "--wanted", "stroke", "-o", "out.csv").status == 0
+    rows = _rows(tmp_path / "out.csv")
+    assert [(row["rotation"], row["name"]) for row in rows] == [
+        *(("clockwise", "A"), ("clockwise", "B"), ("anticlockwise", "A"), ("anticlockwise", "B"))
+    ]
+    assert [float(row["stroke(1) [m]"]) for row in rows] == pytest.approx([0.08] * 4, rel=1e-14)
+
+
+def _rows(path):
+    """Rows of a file by their heads."""
+    if path.suffix == ".csv":
+        lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line[0] != "#"]
+        return list(csv.DictReader(lines))
+    sheet = openpyxl.load_workbook(path)["designs"]
+    heads, *rows = sheet.iter_rows(values_only=True)
+    return [dict(zip(heads, row, strict=True)) for row in rows]

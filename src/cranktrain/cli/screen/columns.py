@@ -44,7 +44,8 @@ def grid_lines(grid: Grid, width: int) -> Iterator[str | Text]:
         lines = _table(part, labels, title, has_units=has_units)
         yield from _above_words(lines, below) if below else lines
         if grid.names_quantities:
-            yield ", ".join(f"{column.head} {column.quantity}" for column in part if column.quantity)
+            named = (f"{column.symbol or column.head} {column.quantity}" for column in part if column.quantity)
+            yield ", ".join(dict.fromkeys(named))
     if words and not below:
         yield ""
         yield from table(("", ""), list(zip(labels, words, strict=True)), right=(0,), fold=width)

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.analysis.dimensions import Titled
 from cranktrain.errors import InputError, Problem
@@ -23,16 +24,13 @@ from cranktrain.quantities import FileUnits, nearest, shown_as_in
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import said_name
-from cranktrain.saying.run import Axis, BehindQuantity, Marks, Run
-from cranktrain.saying.sections import Column, Grid, PagePart, section
+from cranktrain.saying.run import Axis, BehindQuantity, Marks, RowHeads, Run
+from cranktrain.saying.sections import PagePart, section
 from cranktrain.study.sweep.blocks import rows_between
 from cranktrain.study.sweep.facts import FactsOfRows
+from cranktrain.study.sweep.shown import shown_facts
 from cranktrain.study.sweep.varied import SweptDesigns, Varied
 
-_MOST_LINES = 24
-"""Of a table on the screen."""
-_MOST_OTHERS = 5
-"""Values of whatever else is varied, of which each fact has a column."""
 _FIGURES = 9
 """Of its size, in which columns of members that share one are alike."""
 _MOST_SENTENCES = 6
@@ -156,6 +154,26 @@ class Sweep(Run):
         along = apart if self.over is None else np.moveaxis(apart, self.over, -1)
         return {"flags": Marks(self.dimensions_of(), along, _("What is to be minded"))}
 
+    @property
+    def design_rows(self) -> RowHeads | None:
+        """A row for each design, where none of what is varied is an axis: its values, and what is wrong with it."""
+        if self.over is not None:
+            return None
+        n_designs = len(self.designs)
+        columns: dict[str, NDArray[Any]] = {}
+        if self.designs.is_listed:
+            columns["case"] = np.arange(1, n_designs + 1)
+            places = [np.arange(n_designs)] * len(self.designs.varied)
+        else:
+            places = [index for _one, index in self.designs.block(0, n_designs)]
+        for one, index in zip(self.designs.varied, places, strict=True):
+            head = f"{one.name} [{one.unit}]" if one.numbers is not None and one.unit else one.name
+            columns[head] = np.array(one.texts if one.numbers is None else one.numbers, dtype=object)[index]
+        if self.refused:
+            said = ["" if problem is None else str(replace(problem, repair=None)) for problem in self.found.refused]
+            columns["refused"] = np.array(said, dtype=object)
+        return RowHeads(self.dimensions_of(), columns)
+
     def best(self, *, least: str = "", most: str = "") -> Machine:
         """Give the design with the least or the largest value of a fact.
 
@@ -247,30 +265,12 @@ class Sweep(Run):
         return None
 
     def sections(self) -> Iterator[PagePart]:
-        """The facts in columns, at as many values as a screen has lines; and what cannot be."""
-        columns = [*self._given(), *(column for name in self.catalogue for column in self._columns(name))]
-        yield from section(_("Facts"), [Grid(columns, self._line_heads, title=self._lines_of, names_quantities=True)])
+        """The facts in columns, as many as a screen has room for; and what cannot be."""
+        yield from section(_("Facts"), shown_facts(self))
         refusals = list(self._refusals())
         more = len(refusals) - _MOST_SENTENCES
         said: list[Words] = [*refusals[:_MOST_SENTENCES], *([_("and {n} more reasons", n=more)] if more > 0 else [])]
         yield from section(_("To be minded"), said)
-
-    @cached_property
-    def _lines(self) -> list[int]:
-        """Which values of the axis, or else of what is varied first, have a line of their own."""
-        n_values = self.shape[self.over or 0]
-        return evenly(n_values, _MOST_LINES)
-
-    @property
-    def _lines_of(self) -> Words:
-        return said_name(self.along[self.over or 0].name)
-
-    @property
-    def _line_heads(self) -> list[str]:
-        if self.designs.is_listed:
-            return [str(line + 1) for line in self._lines]
-        own = self.along[self.over or 0]
-        return [own.texts[line] for line in self._lines]
 
     def apart(self, name: str) -> list[tuple[str, Array]]:
         """Values of a fact by its members, arrays of `shape`; members that are alike in all designs stand once.
@@ -293,25 +293,6 @@ class Sweep(Run):
             )
             for first, *more in alike.values()
         ]
-
-    def _given(self) -> Iterator[Column]:
-        """Values of designs that are listed, as they were typed."""
-        if self.designs.is_listed:
-            for one in self.designs.varied:
-                yield Column(said_name(one.name), [one.texts[line] for line in self._lines])
-
-    def _columns(self, name: str) -> Iterator[Column]:
-        """One fact over the lines: a column for each combination of the rest."""
-        entry, over = self.found.entries[name], self.over or 0
-        beside = [one for place, one in enumerate(self.along) if place != over]
-        others: list[tuple[str, ...]] = list(itertools.product(*(one.texts for one in beside)))
-        for place in evenly(len(others), _MOST_OTHERS):
-            said = others[place]
-            for whose, values in self.apart(name):
-                own = np.moveaxis(values, over, 0)[self._lines].reshape(len(self._lines), -1)[:, place]
-                words: list[str] = [entry.symbol or str(said_name(name)), whose, *said]
-                head = " ".join(filter(None, words))
-                yield Column(head, own.tolist(), entry.shown, "amounts", name)
 
     def plot(self, *quantities: str, **_members: object) -> Any:
         """Draw facts: over one number as curves, over two as maps with the designs that cannot be hatched.
@@ -343,14 +324,3 @@ class Sweep(Run):
     def __str__(self) -> str:
         """Write it as tables."""
         return self.page().lstrip("\n")
-
-
-def evenly(n: int, most: int) -> list[int]:
-    """Places among n, no more than `most` of them, evenly from the first to the last.
-
-    Examples
-    --------
-    >>> evenly(4, 9), evenly(11, 3)
-    ([0, 1, 2, 3], [0, 5, 10])
-    """
-    return list(dict.fromkeys(round(place * (n - 1) / max(min(n, most) - 1, 1)) for place in range(min(n, most))))
