@@ -167,3 +167,38 @@ def test_a_map_says_its_units_once():
     found = ct.sweep(MACHINE, {"rod_length": "100..160 mm:7", "speed": "1000..2000 rpm:8"}, "largest_piston_speed")
     axes = found.plot().axes[0]
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("Rod length, mm", "Speed, rpm")
+
+
+def test_what_cannot_be_is_hatched_along_a_curve():
+    """A rod of 30 or 35 mm is shorter than the crank of 40 mm; from there to the next rod there is no curve either."""
+    found = ct.sweep(MACHINE, {"rod_length": "30..150 mm:25"}, "largest_piston_speed")
+    figure = found.plot()
+    hatched = [patch.get_extents() for patch in figure.axes[0].patches if patch.get_hatch()]
+    ends = figure.axes[0].transData.inverted().transform([[hatched[0].x0, 0.0], [hatched[-1].x1, 0.0]])[:, 0]
+    np.testing.assert_allclose(ends, [30.0, 45.0], rtol=1e-12)
+    assert figure.axes[0].get_xlabel().endswith("hatched: designs that cannot be")
+    whole = ct.sweep(MACHINE, {"rod_length": "50..150 mm:21"}, "largest_piston_speed").plot().axes[0]
+    assert not whole.patches
+    assert whole.get_xlabel() == "Rod length, mm"
+
+
+def test_designs_of_a_list_are_points():
+    """Over the one number that differs; else one fact over the other: c = 2 S n over S is a line through 0."""
+    rods = ct.sweep(MACHINE, [{"rod_length": f"{rod} mm"} for rod in (120, 20, 140)], "largest_piston_speed")
+    axes = rods.plot().axes[0]
+    np.testing.assert_array_equal(axes.lines[-1].get_xdata(), [120, 20, 140])
+    assert axes.lines[-1].get_linestyle() == "None"
+    assert axes.get_xlabel() == "Rod length, mm\n1 of 3 designs cannot be"
+    cases = [{"crank_radius": f"{radius} mm", "rod_length": f"{4 * radius} mm"} for radius in (30, 50, 40)]
+    both = ct.sweep(MACHINE, cases, ["stroke", "mean_piston_speed"]).plot().axes[0]
+    np.testing.assert_allclose(both.lines[-1].get_xdata(), [60, 100, 80], rtol=1e-14)
+    np.testing.assert_allclose(both.lines[-1].get_ydata(), [3, 5, 4], rtol=1e-14)  # at 1500 rpm
+    assert both.get_xlabel() == "Stroke, between the true dead centres, mm"
+    with pytest.raises(ct.InputError, match="needs a number that differs"):
+        ct.sweep(MACHINE, [{"name": "A"}, {"name": "B"}], ["stroke", "mean_piston_speed"]).plot()
+
+
+def test_few_designs_are_marked_along_a_curve():
+    few = ct.sweep(MACHINE, {"rod_length": "110..150 mm:5"}, "largest_piston_speed").plot().axes[0]
+    many = ct.sweep(MACHINE, {"rod_length": "110..150 mm:41"}, "largest_piston_speed").plot().axes[0]
+    assert (few.lines[-1].get_marker(), many.lines[-1].get_marker()) == ("o", "None")

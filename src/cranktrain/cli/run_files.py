@@ -13,11 +13,13 @@ from cranktrain.quantities import unlisted
 from cranktrain.saying.run import Run
 
 
-def form_or_picture(output: str, decimal: str = "point", *, facts: bool = False) -> Form | None:
-    """How a run is to be written into a file; None of a picture; as `form_of`."""
+def form_or_picture(
+    output: str, decimal: str = "point", others: Sequence[str] = (), *, facts: bool = False
+) -> Form | None:
+    """How a run is to be written into a file; None of a picture, or of one of `others`; as `form_of`."""
     from cranktrain.viz.output import FORMATS  # only where something is written
 
-    return form_of(output, decimal, FORMATS, facts=facts)
+    return form_of(output, decimal, (*others, *FORMATS), facts=facts)
 
 
 def form_of(output: str, decimal: str = "point", others: Sequence[str] = (), *, facts: bool = False) -> Form | None:

@@ -60,7 +60,7 @@ def show_sweep(request: SweepRequest) -> None:
     """
     _check(request)
     is_stored = _is_stored(request)
-    form = None if request.output is None or is_stored else form_or_picture(request.output, request.decimal)
+    form = None if request.output is None or is_stored else form_or_picture(request.output, request.decimal, (STORE,))
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
     with in_units_of(file, asked):
@@ -157,11 +157,12 @@ def _computed(request: SweepRequest, file: MachineFile, store: "SweepStore | Non
             return replace(problem, path="", position=Position(of.get(str(problem.given), "--wanted")))
         if problem.path in ("processes", "scheduler"):
             return replace(problem, path="", position=Position(f"--{problem.path}"))
-        path = "" if problem.path in ("vary", "cases") else problem.path
-        return replace(problem, path=path, position=_VARY if request.cases is None else Position(request.cases))
+        own = replace(problem, path="") if problem.path in ("vary", "cases") else problem
+        return replace(own, position=_VARY) if cases is None else cases.placed(own)
 
+    cases = None if request.cases is None else cases_of(request.cases)
     with problems_as(placed), says_how_far():
-        vary = _varied(request) if request.cases is None else list(cases_of(request.cases))
+        vary = _varied(request) if cases is None else cases.designs
         return swept(
             file.machine,
             vary,

@@ -2,9 +2,12 @@
 
 import csv
 import re
-from collections.abc import Iterator
+import tomllib
+from collections.abc import Sequence
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
+from typing import NamedTuple
 
 from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.io.curve_files import curve_text
@@ -13,21 +16,45 @@ from cranktrain.language import said as _
 
 _COMMA = re.compile(r"([+−-]?\d+),(\d+(?:[eE][+-]?\d+)?)(?![\d,.])(.*)", re.DOTALL)
 """A number whose decimals a comma divides, and what stands behind it."""
+_IN_BRACKETS, _IN_ROUND_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]"), re.compile(r"(.*?)\s*\(([^()]*)\)")
+"""A head and its unit."""
 
 
-def cases_of(name: str) -> Iterator[dict[str, object]]:
+class Head(NamedTuple):
+    """What stands at the head of a column: a path, and the unit of plain numbers below it."""
+
+    path: str
+    unit: str
+
+
+class Cases(NamedTuple):
+    """Designs of a file: values of each by path, and where which paths head the columns."""
+
+    designs: tuple[dict[str, object], ...]
+    heads: tuple[Head, ...]
+    position: Position
+
+    def placed(self, problem: Problem) -> Problem:
+        """Put what is wrong with the path of a column to its head, and all else to the file."""
+        is_of_head = problem.given is None and problem.path in [one.path for one in self.heads]
+        if problem.position is not None:
+            return problem
+        return replace(problem, position=self.position if is_of_head else Position(self.position.file))
+
+
+def cases_of(name: str) -> Cases:
     """Read designs of a .csv.
 
     Parameters
     ----------
     name : str
         Of the file: a path at the head of each column, with the unit of plain numbers behind it in brackets. Columns
-        are divided by semicolons or tabs, and then a comma may divide decimals as in curve files; or by commas.
+        are divided by semicolons or tabs, and then a comma may divide decimals as in curve files; or by commas. What
+        is empty stays as the machine file has it; a table or a list is written as TOML has it in one line.
 
-    Yields
-    ------
-    dict of str
-        Values of a design by path; what is empty is left out.
+    Returns
+    -------
+    Cases
 
     Raises
     ------
@@ -36,24 +63,63 @@ def cases_of(name: str) -> Iterator[dict[str, object]]:
     """
     text = curve_text(Path(name), name, N_("a list of designs")).removeprefix("\ufeff")
     separator = _separator(text)
-    paths: list[tuple[str, str]] | None = None
-    for number, line in enumerate(csv.reader(StringIO(text), delimiter=separator), start=1):
-        if not any(cell.strip() for cell in line) or line[0].lstrip().startswith("#"):
-            continue
-        if paths is None:
-            paths = [_headed(cell) for cell in line]
-            twice = [path for path, _unit in paths if [other for other, _other_unit in paths].count(path) > 1]
-            refuse(Problem(path, None, _("heads two columns"), position=Position(name, number)) for path in twice[:1])
-            continue
-        if len(line) > len(paths):
-            allowed = _("has {n} values, and {heads} columns have a head", n=len(line), heads=len(paths))
-            repair = _("where a comma divides decimals, divide the columns by semicolons") if separator == "," else None
-            raise InputError([Problem("", separator.join(line), allowed, repair, Position(name, number))])
-        yield {
-            path: f"{_plain(cell.strip(), path, separator, Position(name, number))} {unit}".strip()
-            for (path, unit), cell in zip(paths, line, strict=False)
-            if cell.strip()
-        }
+    lines = [
+        (Position(name, number), [cell.strip() for cell in line])
+        for number, line in enumerate(csv.reader(StringIO(text), delimiter=separator), start=1)
+        if any(cell.strip() for cell in line) and not line[0].lstrip().startswith("#")
+    ]
+    if len(lines) < 2:
+        allowed = _("has no design: needs paths at the heads of columns, and a line below for each design")
+        repair = _("write like rod_length [mm],speed [rpm], and below 130,1500")
+        raise InputError([Problem("", None, allowed, repair, Position(name))])
+    (at_head, head), *designs = lines
+    heads = _heads(head, at_head)
+    return Cases(tuple(_design(line, heads, separator, position) for position, line in designs), heads, at_head)
+
+
+def _heads(line: Sequence[str], position: Position) -> tuple[Head, ...]:
+    """Heads of columns; those behind the last that is not empty are none."""
+    n_heads = max(place for place, cell in enumerate(line, start=1) if cell)
+    heads = tuple(map(_headed, line[:n_heads]))
+    paths = [one.path for one in heads]
+    problems = [Problem(path, None, _("heads two columns"), position=position) for path in _twice(paths)]
+    if "" in paths:
+        allowed = _("column {n} has no head", n=paths.index("") + 1)
+        problems.append(Problem("", None, allowed, _("write the path of what stands below it"), position))
+    for path in paths:
+        if (round_bracket := _IN_ROUND_BRACKETS.fullmatch(path)) is not None:
+            repair = _('write "{text}"', text="{} [{}]".format(*round_bracket.groups()))
+            problems.append(Problem(path, None, _("has its unit in round brackets"), repair, position))
+    refuse(problems)
+    return heads
+
+
+def _twice(paths: Sequence[str]) -> list[str]:
+    """Paths that stand twice."""
+    return [path for path in dict.fromkeys(paths) if path and paths.count(path) > 1]
+
+
+def _design(line: Sequence[str], heads: Sequence[Head], separator: str, position: Position) -> dict[str, object]:
+    """Values of a design by path; what is empty is left out."""
+    if len(line) < len(heads) or any(line[len(heads) :]):
+        allowed = _("has {n} values, and {heads} columns have a head", n=len(line), heads=len(heads))
+        repair = _("where a comma divides decimals, divide the columns by semicolons") if separator == "," else None
+        if len(line) < len(heads):
+            repair = _("a cell may be empty, between its separators: then the machine file's value stays")
+        raise InputError([Problem("", separator.join(line), allowed, repair, position)])
+    columns = zip(heads, line, strict=False)
+    return {head.path: _value(cell, head, separator, position) for head, cell in columns if cell}
+
+
+def _value(cell: str, head: Head, separator: str, position: Position) -> object:
+    """What a cell holds: a text, or a table or list as TOML has it."""
+    if cell[0] in "{[":
+        try:
+            return tomllib.loads(f"value = {cell}")["value"]
+        except (tomllib.TOMLDecodeError, RecursionError):
+            allowed = _("must be a table or a list as TOML has it, in one line")
+            raise InputError([Problem(head.path, cell, allowed, position=position)]) from None
+    return f"{_plain(cell, head.path, separator, position)} {head.unit}".strip()
 
 
 def _separator(text: str) -> str:
@@ -76,7 +142,7 @@ def _plain(cell: str, path: str, separator: str, position: Position) -> str:
     return written
 
 
-def _headed(cell: str) -> tuple[str, str]:
-    """Path and unit of a column."""
-    path, bracket, unit = cell.strip().rpartition(" [")
-    return (path.strip(), unit.removesuffix("]").strip()) if bracket and unit.endswith("]") else (cell.strip(), "")
+def _headed(cell: str) -> Head:
+    """Path and unit of a column; a number in brackets is the item of a list."""
+    found = _IN_BRACKETS.fullmatch(cell)
+    return Head(cell, "") if found is None or found[2].isdecimal() else Head(found[1], found[2].strip())

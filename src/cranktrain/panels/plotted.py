@@ -63,12 +63,15 @@ class Plot:
         Explained above all panels, by their names; each panel has its own names unless there are such.
     over : Words, optional
         What they are over, without its unit, if that is not the crank angle.
+    note : Words
+        What stands below all.
     """
 
     panels: tuple[Panel | Map, ...]
     title: Words = ""
     keys: tuple[Curve, ...] = ()
     over: Words | None = None
+    note: Words = ""
 
 
 def plot_of(run: Run, *quantities: str, design: int = 0, **members: "str | Sequence[str]") -> Plot:

@@ -61,6 +61,8 @@ class Curve:
         Whose it is, or what.
     across : Array, shape (n,), optional
         Where it stands, unless with all others.
+    is_cloud : bool
+        Whether it is points that no line joins.
     """
 
     values: Array
@@ -69,6 +71,7 @@ class Curve:
     symbol: str = ""
     name: Words = ""
     across: Array | None = None
+    is_cloud: bool = False
 
 
 @record
@@ -149,6 +152,8 @@ class Panel:
         Least and largest value that are drawn.
     reach : tuple of float, optional
         From where to where it is drawn across.
+    hatched : tuple of (float, float)
+        From where to where across nothing can be.
     dimension : str
         Symbol of the distance between the two limits among its levels, drawn as a dimension; none unless given.
     """
@@ -166,6 +171,7 @@ class Panel:
     corner: tuple[Words, ...] = ()
     limits: tuple[float, float] | None = None
     reach: tuple[float, float] | None = None
+    hatched: tuple[tuple[float, float], ...] = ()
     dimension: str = ""
 
     @property
@@ -241,6 +247,7 @@ def as_shown(panel: Panel) -> Panel:
         below=tuple((float(along.of(at)), words) for at, words in panel.below),
         limits=both(panel.limits, up),
         reach=both(panel.reach, along),
+        hatched=tuple((float(along.of(one)), float(along.of(other))) for one, other in panel.hatched),
     )
 
 

@@ -13,12 +13,17 @@ from cranktrain.panels.shapes import Curve, Map, Panel, as_shown, is_level
 from cranktrain.viz.paper.contours import draw_map
 from cranktrain.viz.paper.curves import PENS, comes_near_zero, line_of
 from cranktrain.viz.paper.page import Axes, Figure, drawing_settings
-from cranktrain.viz.paper.style import GRID, HEADING, MUTED, TEXT
+from cranktrain.viz.paper.style import GRID, HATCH, HEADING, MUTED, TEXT
 
 _KEY: Mapping[str, Any] = {"fontsize": TEXT, "frameon": False, "handlelength": 4.0}
 
 _WIDTH, _HEIGHT, _OF_MAP, _HEAD = 8.0, 2.1, 4.2, 0.7
 """Of a figure, of a panel, of a map, and of what stands above and below [in]."""
+
+_FEW = 12
+"""Points of a curve that are marked: between them nothing was computed."""
+_POINT = 4.0
+"""Size of a point that is marked [pt]."""
 
 _TURN = 360.0
 _DOTS_PER_INCH = 110
@@ -72,7 +77,8 @@ def drawn_plot(plot: Plot) -> Figure:
             handles = [_drawn_line(curve, np.zeros(1)) for curve in plot.keys]
             _plain(figure.legend(handles=handles, loc="outside upper center", ncols=len(plot.keys), **_KEY))
         units = [panel.across_unit for panel in panels[-1:] if isinstance(panel, Panel) and panel.across_unit]
-        rooms[-1].set_xlabel(_("Crank angle φ, °") if plot.over is None else ", ".join([str(plot.over), *units]))
+        over = _("Crank angle φ, °") if plot.over is None else ", ".join([str(plot.over), *units])
+        rooms[-1].set_xlabel("\n".join(filter(None, (over, visible(str(plot.note))))), parse_math=False)
     return in_notebook(figure)
 
 
@@ -84,7 +90,7 @@ def _plain(legend: Any) -> None:
 
 def _draw_panel(axes: Axes, panel: Panel) -> None:
     """Draw the curves of one quantity, and a line at zero where they come there."""
-    end = float(panel.across[-1])
+    start, end = panel.reach or (float(panel.across[0]), float(panel.across[-1]))
     axes.grid(color=GRID, linewidth=0.5)
     if comes_near_zero(panel, 0.0):
         axes.axhline(0.0, color=MUTED, linewidth=0.5, zorder=1)
@@ -95,7 +101,9 @@ def _draw_panel(axes: Axes, panel: Panel) -> None:
     if is_level(values):
         middle = float(np.nanmean(values))
         axes.set_ylim(middle - 0.1 * abs(middle) - (middle == 0.0), middle + 0.1 * abs(middle) + (middle == 0.0))
-    axes.set_xlim(float(panel.across[0]), end)
+    for first, last in panel.hatched:
+        axes.axvspan(first, last, facecolor="none", edgecolor=MUTED, linewidth=0.0, hatch=HATCH, zorder=1)
+    axes.set_xlim(start, end)
     if panel.across_unit == "°":
         axes.set_xticks(np.arange(0.0, end + 1.0, 30.0 if end <= _TURN else 60.0))
     title = visible(f"{panel.title}, {panel.unit}".removesuffix(", "))
@@ -108,6 +116,9 @@ def _drawn_line(curve: Curve, across: Any) -> Any:
     from matplotlib.lines import Line2D
 
     label = visible(str(curve.name))
-    is_alone = np.count_nonzero(np.isfinite(curve.values)) == 1
-    marker = "o" if is_alone else ""
-    return Line2D(across, curve.values, label=label, marker=marker, zorder=PENS[curve.role].layer, **line_of(curve))
+    line = line_of(curve)
+    if curve.is_cloud:
+        line |= {"linestyle": "none", "marker": "o", "markersize": _POINT, "markeredgewidth": 0.0, "alpha": 0.6}
+    elif np.count_nonzero(np.isfinite(curve.values)) <= _FEW:
+        line |= {"marker": "o", "markersize": _POINT, "clip_on": False}
+    return Line2D(across, curve.values, label=label, zorder=PENS[curve.role].layer, **line)

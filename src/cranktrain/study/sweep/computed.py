@@ -87,7 +87,9 @@ def swept(
     n_designs = len(designs)
     if store is None and n_designs > _MOST:
         allowed = _("is {n} designs, and may be {most}", n=n_designs, most=_MOST)
-        raise InputError([Problem("vary", None, allowed, _("ask for fewer values, or for a store"))])
+        raise InputError(
+            [Problem("vary", None, allowed, _("ask for fewer values, or keep them in a store: -o NAME.zarr"))]
+        )
     plan = Plan(machine, names_apart(designs, names), names, over_time)
     return _kept(plan, store or InMemory(), processes, scheduler, is_meant=is_meant)
 

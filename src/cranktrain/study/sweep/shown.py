@@ -9,6 +9,7 @@ import numpy as np
 from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import ALIKE
+from cranktrain.one_line import short
 from cranktrain.saying.amounts import Amount
 from cranktrain.saying.names import said_name
 from cranktrain.saying.sections import Column, Grid, Part
@@ -25,6 +26,8 @@ _FEW_FACTS = 4
 """Are shown with all their columns."""
 _MOST_COLUMNS = 24
 """Of all tables together, of more facts."""
+_LONGEST_VALUE = 30
+"""Characters of a value of a list, which may be a table."""
 
 
 def shown_facts(sweep: "Sweep") -> Iterator[Part]:
@@ -95,7 +98,7 @@ def _given(sweep: "Sweep", lines: list[int]) -> Iterator[Column]:
     if sweep.designs.is_listed:
         for one in sweep.designs.varied:
             texts = one.texts
-            yield Column(said_name(one.name), [texts[line] for line in lines])
+            yield Column(said_name(one.name), [short(texts[line], _LONGEST_VALUE) for line in lines])
 
 
 def _columns(sweep: "Sweep", name: str, lines: list[int], others: list[int]) -> Iterator[Column]:

@@ -295,7 +295,9 @@ class Sweep(Run):
         ]
 
     def plot(self, *quantities: str, **_members: object) -> Any:
-        """Draw facts: over one number as curves, over two as maps with the designs that cannot be hatched.
+        """Draw facts: over one number as curves, over two as maps, with the designs that cannot be hatched.
+
+        Designs of a list are points: over the number that differs, or where several do over the first fact.
 
         Parameters
         ----------

@@ -18,7 +18,7 @@ MOST_POINTS = 1_000_000
 """Of one range."""
 _KEPT = 256
 """Units of which it is kept whether they are any."""
-_WORD = re.compile(r"\d{1,10}")
+_COUNT = re.compile(r"\d{1,99}")
 
 
 def values_typed(path: str, text: str) -> tuple[object, ...]:
@@ -100,7 +100,7 @@ def _of_range(path: str, word: str, unit: str) -> tuple[list[object], str]:
     ends, colon, count = word.rpartition(":")
     first, _dots, last = (ends if colon else word).partition("..")
     one, other = _measured(first), _measured(last)
-    n_values = int(count.strip()) if _WORD.fullmatch(count.strip()) else DEFAULT_POINTS if not colon else 0
+    n_values = int(count.strip()) if _COUNT.fullmatch(count.strip()) else DEFAULT_POINTS if not colon else 0
     allowed = _("must be FROM..TO:N, with a unit, such as 130..160 mm:31")
     if one is None or other is None or n_values < 1 or "..." in word:
         raise _refused(path, word.strip(), allowed)
@@ -111,7 +111,7 @@ def _of_range(path: str, word: str, unit: str) -> tuple[list[object], str]:
         repair = _("write at least 2 values, and ends that differ")
         raise _refused(path, word.strip(), _("is no range"), repair)
     if n_values > MOST_POINTS:
-        raise _refused(path, word.strip(), _("has more values than any sweep may have"))
+        raise _refused(path, word.strip(), _("has more values than any range may have, {most}", most=MOST_POINTS))
     step = (other.number - one.number) / (n_values - 1)
     texts = (_number_text(one.number + step * place) for place in range(n_values))
     return [f"{text} {own}" if own else float(text) for text in texts], own

@@ -10,7 +10,7 @@ from cranktrain.one_line import visible
 from cranktrain.panels.shapes import Map, is_level, peak, scale_of
 from cranktrain.viz.paper.line_numbers import number_places
 from cranktrain.viz.paper.page import Axes
-from cranktrain.viz.paper.style import GRID, HEADING, INK, MUTED, TEXT
+from cranktrain.viz.paper.style import GRID, HATCH, HEADING, INK, MUTED, TEXT
 
 _LINES = 9
 """About as many lines of equal value."""
@@ -99,6 +99,4 @@ def _hatch_missing(axes: Axes, shown: Map) -> None:
     from matplotlib.patches import Rectangle
 
     cells = [Rectangle((x, y), width, height) for x, y, width, height in _missing_cells(shown)]
-    axes.add_collection(
-        PatchCollection(cells, facecolor="none", edgecolor=MUTED, linewidth=0.0, hatch="////", zorder=3)
-    )
+    axes.add_collection(PatchCollection(cells, facecolor="none", edgecolor=MUTED, linewidth=0.0, hatch=HATCH, zorder=3))

@@ -87,3 +87,7 @@ def pen_of(part: Line | Circle) -> Pen:
     pen = PENS[part.habit]
     is_coloured = part.layer in _COLOURED and part.habit in ("vector", "load", "part", "arrow")
     return pen._replace(colour=_COLOURED[part.layer]) if is_coloured else pen
+
+
+HATCH = "////"
+"""Of what cannot be."""
