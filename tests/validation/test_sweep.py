@@ -202,3 +202,27 @@ def test_few_designs_are_marked_along_a_curve():
     few = ct.sweep(MACHINE, {"rod_length": "110..150 mm:5"}, "largest_piston_speed").plot().axes[0]
     many = ct.sweep(MACHINE, {"rod_length": "110..150 mm:41"}, "largest_piston_speed").plot().axes[0]
     assert (few.lines[-1].get_marker(), many.lines[-1].get_marker()) == ("o", "None")
+
+
+def test_a_list_has_its_values_beside_the_facts():
+    """In datasets as coordinates, in data frames as columns."""
+    cases = [{"rod_length": "120 mm", "rotation": "clockwise"}, {"rod_length": "14 cm", "rotation": "anticlockwise"}]
+    found = ct.sweep(MACHINE, cases, "mean_piston_speed")
+    dataset = found.dataset
+    np.testing.assert_array_equal(dataset.rod_length, [120, 140])
+    assert dataset.rod_length.attrs["units"] == "mm"
+    assert list(dataset.rotation.values) == ["clockwise", "anticlockwise"]
+    assert dataset.rotation.dims == ("case",)
+    frame = found.curves()
+    assert list(frame.columns) == ["rod_length [mm]", "rotation", "mean_piston_speed(1) [m/s]"]
+    np.testing.assert_allclose(frame["mean_piston_speed(1) [m/s]"], [4.0, 4.0], rtol=1e-14)
+
+
+def test_mistakes_in_python():
+    with pytest.raises(ct.InputError, match=r'must be values by path.*write like \{"rod_length": "130..160 mm:31"\}'):
+        ct.sweep(MACHINE, "rod_length=1..2 mm", "stroke")  # pyright: ignore[reportArgumentType]
+    found = ct.sweep(MACHINE, {"rod_length": "120, 140 mm"}, "stroke")
+    with pytest.raises(ct.InputError, match=r'needs one fact: least or most; write like best\(least="stroke"\)'):
+        found.best()
+    with pytest.raises(AttributeError, match=r"a sweep has no strok; did you mean stroke\?"):
+        _ = found.strok

@@ -51,6 +51,8 @@ def dataset_of(run: Run) -> "xarray.Dataset":
     }
     for name, unit, symbol, places in run.number_axes:
         coordinates[name] = (name, places, {"units": unit, "symbol": symbol})
+    for name, unit, _symbol, values in run.case_coordinates:
+        coordinates[name] = ("case", values, {"units": unit} if unit else {})
     return Dataset(variables, coordinates, dict(run.attributes()))
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, cast
 from cranktrain.analysis.curve_columns import by_default, curve_columns
 from cranktrain.analysis.dataset import imported
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.io.tables import HEADS, fact_rows
+from cranktrain.io.tables import HEADS, fact_rows, headed
 from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.quantities import nearest
@@ -32,8 +32,14 @@ class _RunOfDesign:
 def curves_frame(
     run: Run, names: Sequence[str], *, design: int = 0, of_each_method: bool = False
 ) -> "pandas.DataFrame":
-    """Give curves as a data frame; parameters as of `Result.curves`."""
+    """Give curves as a data frame; parameters as of `Result.curves`.
+
+    Of designs of which none is on an axis a row for each, with all of its facts.
+    """
     pandas = imported("pandas", "curves")
+    if run.axis is None and run.design_rows is not None:
+        frame = pandas.DataFrame(headed(run, (), None))
+        return frame.set_index("case") if "case" in frame else frame
     known = [name for name, entry in run.catalogue.items() if run.is_curve(entry)]
     refuse(_unknown(name, known) for name in names if name not in known)
     wanted = names or by_default(run)

@@ -196,10 +196,8 @@ class SweepStore:
                 self._coordinate(one.name, (one.name,), np.array(one.texts, dtype=object), {})
             else:
                 self._coordinate(one.name, (one.name,), one.numbers, {"units": one.unit, "symbol": ""})
-        if sweep.designs.is_listed:
-            for one in sweep.designs.varied:
-                plain = np.array(one.texts, dtype=object) if one.numbers is None else one.numbers
-                self._coordinate(one.name, (sweep.along[0].name,), plain, {"units": one.unit} if one.unit else {})
+        for name, unit, _symbol, values in sweep.case_coordinates:
+            self._coordinate(name, (sweep.along[0].name,), values, {"units": unit} if unit else {})
         for name, (kind, about) in TextsOfDesigns.arrays().items():
             self._array(name, None, kind, about)
         self._consolidate()

@@ -104,7 +104,7 @@ def headed(run: Run, columns: Iterable[CurveColumn], places: Array | None) -> di
     return found
 
 
-def _facts_in_rows(run: Run, rows: RowHeads) -> Iterator[tuple[str, Array]]:
+def _facts_in_rows(run: Run, rows: RowHeads) -> Iterator[tuple[str, Any]]:
     """Facts of runs that have a row each, member by member, and words beside them; in the order of their columns."""
     for name, entry in run.catalogue.items():
         unit, values = in_asked_unit(entry.unit, getattr(run, name), entry.shown)

@@ -98,6 +98,11 @@ class Run:
         return () if self.axis is None else (self.axis,)
 
     @property
+    def case_coordinates(self) -> Iterable[Axis]:
+        """Numbers and words that tell the members of the first dimension apart, of a list of designs."""
+        return ()
+
+    @property
     def cycle(self) -> float:
         """At which crank angle all begins again; infinity where it does not. [deg]"""
         return np.inf

@@ -138,6 +138,9 @@ def _asked(
 ) -> tuple[SweptDesigns, tuple[str, ...]]:
     """Which designs, and which facts; all that is wrong with either is told."""
     try:
+        if isinstance(vary, str):
+            allowed = _("must be values by path, or a sequence of such")
+            raise InputError([Problem("vary", vary, allowed, _('write like {"rod_length": "130..160 mm:31"}'))])
         designs = combined_designs(machine, vary) if isinstance(vary, Mapping) else listed_designs(machine, vary)
         refuse(_without_effect(machine, designs, settings))
     except InputError as error:

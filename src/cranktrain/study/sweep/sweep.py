@@ -122,7 +122,8 @@ class Sweep(Run):
     def __getattr__(self, name: str) -> Array:
         """Give a fact of all designs, in the unit of its entry."""
         if name.startswith("_") or name not in self.found.values:
-            raise AttributeError(name)
+            meant = nearest(name, list(self.found.values))
+            raise AttributeError(f"a sweep has no {name}" + (f"; did you mean {meant}?" if meant else ""), name=name)
         values = self.found.values[name]
         apart = values.reshape(*self.shape, *values.shape[1:])
         return apart if self.over is None else np.moveaxis(apart, self.over, -1)
@@ -153,6 +154,13 @@ class Sweep(Run):
         apart = np.array(texts, dtype=object).reshape(self.shape)
         along = apart if self.over is None else np.moveaxis(apart, self.over, -1)
         return {"flags": Marks(self.dimensions_of(), along, _("What is to be minded"))}
+
+    @property
+    def case_coordinates(self) -> Iterator[Axis]:
+        """Values of listed designs, in the unit that was typed, or as words."""
+        for one in self.designs.varied if self.designs.is_listed else ():
+            plain = np.array(one.texts, dtype=object) if one.numbers is None else one.numbers
+            yield Axis(one.name, one.unit if one.numbers is not None else "", "", plain)
 
     @property
     def design_rows(self) -> RowHeads | None:
@@ -201,7 +209,8 @@ class Sweep(Run):
     def place_of_best(self, *, least: str = "", most: str = "") -> int:
         """Place among the designs of that which `best` gives."""
         if bool(least) == bool(most):
-            raise InputError([Problem("best", None, _("needs one fact: least or most"))])
+            repair = _('write like best(least="{name}")', name=next(iter(self.catalogue), ""))
+            raise InputError([Problem("best", None, _("needs one fact: least or most"), repair)])
         name, option = least or most, "least" if least else "most"
         if name not in self.catalogue:
             meant = nearest(name, list(self.catalogue))
