@@ -126,7 +126,7 @@ class SweepStore:
         self._about = {**identity(plan), "chunk": blocks.chunk, "labels": {}, "entries": {}}
         beside = self._path.with_name(f".cranktrain-{secrets.token_hex(8)}.tmp")
         old = beside.with_suffix(".old")
-        with self._writing():
+        with self._writing(is_begun=False):
             try:
                 self._group = self._zarr.open_group(beside, mode="w-", zarr_format=3)
                 self._begin_arrays()
@@ -166,12 +166,13 @@ class SweepStore:
         return StoredFacts(self._group, self._sweep, self._entries, self._labels).as_facts()
 
     @contextmanager
-    def _writing(self) -> Generator[None]:
-        """Say why something cannot be written, and that nothing is lost."""
+    def _writing(self, *, is_begun: bool = True) -> Generator[None]:
+        """Say why something cannot be written, and of a store that was begun that nothing is lost."""
         try:
             yield
         except OSError as error:
-            raise InputError(map(_with_resume, not_written(self.name, error).problems)) from None
+            problems = not_written(self.name, error).problems
+            raise InputError(map(_with_resume, problems) if is_begun else problems) from None
 
     def _put(self, name: str, values: NDArray[Any], box: tuple[slice, ...]) -> None:
         """Write the values of a block, shape (design, …)."""

@@ -110,7 +110,7 @@ def test_a_disk_that_is_full_loses_nothing(path, in_memory, monkeypatch, most):
             swept(MACHINE, VARY, WANTED, store=SweepStore(path))
         except ct.InputError as error:
             assert "does not fit: the disk is full" in str(error)
-            assert "--resume goes on" in str(error)
+            assert ("--resume goes on" in str(error)) == path.exists()
         else:
             pytest.fail(f"{len(n_put)} files were written")
     assert [place.name for place in path.parent.iterdir()] in ([], ["rods.zarr"])
@@ -225,3 +225,10 @@ def test_flags_and_starts(path):
     assert "1 of 2 starts: it stands still" in str(starts)
     with pytest.raises(ct.InputError, match="is of starts"):
         ct.sweep("tilting_table", {"drive.stage[0].ratio": "10, 40"}, store=other, resume=True)
+
+
+def test_of_a_store_that_cannot_begin_nothing_is_said_to_be_there(tmp_path):
+    (tmp_path / "file").write_text("no folder", encoding="utf-8")
+    with pytest.raises(ct.InputError) as raised:
+        ct.sweep(MACHINE, VARY, WANTED, store=tmp_path / "file" / "rods.zarr")
+    assert "--resume" not in str(raised.value)

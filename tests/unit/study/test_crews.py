@@ -13,7 +13,7 @@ from tests.swept import MACHINE, ROOT, WANTED, deadly, same
 
 import cranktrain as ct
 from cranktrain.study.sweep import computed, swept
-from cranktrain.study.sweep.blocks import blocks_of, rows_between, shape_of
+from cranktrain.study.sweep.blocks import blocks_of
 from cranktrain.study.sweep.crew import Alone, in_order
 from cranktrain.study.sweep.processes import Processes
 from cranktrain.study.sweep.varied import combined_designs, listed_designs
@@ -41,12 +41,13 @@ def test_blocks_are_boxes_one_behind_the_other(shape, most):
     assert after == places.size
 
 
-def test_rows_from_one_place_to_another():
+def test_one_design_by_its_place():
     several = combined_designs(MACHINE, {"rod_length": "130..150 mm:5", "speed": "1, 2, 3 rpm"})
-    assert shape_of(several) == (5, 3)
-    assert list(rows_between(several, 4, 9)) == list(several.rows)[4:9]
+    assert several.shape == (5, 3)
+    assert [several.row(place) for place in range(15)] == list(several.rows)
     listed = listed_designs(MACHINE, [{"rod_length": "130 mm"}, {"speed": "2 rpm"}, {"rod_length": "131 mm"}])
-    assert list(rows_between(listed, 1, 3)) == list(listed.rows)[1:]
+    assert listed.shape == (3,)
+    assert [listed.row(place) for place in range(3)] == list(listed.rows)
 
 
 class _Late(Alone):

@@ -1,14 +1,11 @@
 """Designs of a sweep in blocks, one behind the other, each of which is a box of what is varied."""
 
-from collections.abc import Iterator
 from functools import cached_property
-from itertools import islice
 from math import prod
 
 import numpy as np
 
 from cranktrain.record import record
-from cranktrain.study.sweep.varied import SweptDesigns
 
 
 @record
@@ -69,21 +66,3 @@ def blocks_of(shape: tuple[int, ...], most: int) -> Blocks:
             break
         room //= size
     return Blocks(shape, tuple(chunk))
-
-
-def rows_between(designs: SweptDesigns, first: int, after: int) -> Iterator[dict[str, object]]:
-    """Values of some designs that stand one behind the other, by path, as `designs.rows` has those of all."""
-    if designs.is_listed:
-        each = [islice(one.values, first, after) for one in designs.varied]
-    else:
-        shape = [len(one.values) for one in designs.varied]
-        places = np.unravel_index(np.arange(first, after), shape)
-        each = [map(one.values.__getitem__, own.tolist()) for one, own in zip(designs.varied, places, strict=True)]
-    paths = [one.path for one in designs.varied]
-    for values in zip(*each, strict=True):
-        yield {path: value for path, value in zip(paths, values, strict=True) if value is not None}
-
-
-def shape_of(designs: SweptDesigns) -> tuple[int, ...]:
-    """How many values there are along each of what is varied; of a list how many designs."""
-    return (len(designs),) if designs.is_listed else tuple(len(one.values) for one in designs.varied)

@@ -13,7 +13,7 @@ from cranktrain.machine import Machine
 from cranktrain.paths import path_text, quantity_path
 from cranktrain.study.cycle.road import CompiledWay
 from cranktrain.study.facts_of_starts import is_numba_there
-from cranktrain.study.sweep.blocks import Blocks, blocks_of, shape_of
+from cranktrain.study.sweep.blocks import Blocks, blocks_of
 from cranktrain.study.sweep.crew import Alone, Compute, Crew, Span, in_order, killed
 from cranktrain.study.sweep.facts import FactsOfRows, FactsOfSweep, joined_rows, rows_of
 from cranktrain.study.sweep.kept import InMemory, Plan, Store
@@ -118,7 +118,7 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
     worth = _WORTH_COMPILING if plan.over_time and is_numba_there() else _WORTH
     n_at_once = processes if seconds > worth else 1
     if blocks is None:
-        blocks = blocks_of(shape_of(designs), _designs_of_block(tried.each, n_at_once, n_together, len(designs)))
+        blocks = blocks_of(designs.shape, _designs_of_block(tried.each, n_at_once, n_together, len(designs)))
         missing = list(range(len(blocks)))
         store.begin(plan, blocks)
     try:

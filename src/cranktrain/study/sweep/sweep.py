@@ -26,7 +26,6 @@ from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import said_name
 from cranktrain.saying.run import Axis, BehindQuantity, Marks, RowHeads, Run
 from cranktrain.saying.sections import PagePart, section
-from cranktrain.study.sweep.blocks import rows_between
 from cranktrain.study.sweep.facts import FactsOfRows
 from cranktrain.study.sweep.shown import shown_facts
 from cranktrain.study.sweep.varied import SweptDesigns, Varied
@@ -65,7 +64,7 @@ class Sweep(Run):
     @property
     def shape(self) -> tuple[int, ...]:
         """How many values there are along each."""
-        return tuple(len(one.values) for one in self.along)
+        return self.designs.shape
 
     @cached_property
     def over(self) -> int | None:
@@ -204,7 +203,7 @@ class Sweep(Run):
 
     def values_at(self, place: int) -> Mapping[str, object]:
         """Values of a design by path, by its place among all."""
-        return next(rows_between(self.designs, place, place + 1))
+        return self.designs.row(place)
 
     def place_of_best(self, *, least: str = "", most: str = "") -> int:
         """Place among the designs of that which `best` gives."""

@@ -116,6 +116,11 @@ class SweptDesigns:
         return (Varied("", "case", tuple(f"{n}: {words}" for n, words in enumerate(named, start=1)), None, ""),)
 
     @property
+    def shape(self) -> tuple[int, ...]:
+        """How many values there are along each of what is varied; of a list how many designs."""
+        return (len(self),) if self.is_listed else tuple(len(one.values) for one in self.varied)
+
+    @property
     def rows(self) -> Iterator[dict[str, object]]:
         """Values of each design, by path."""
         each = (one.values for one in self.varied)
@@ -134,8 +139,7 @@ class SweptDesigns:
         places = np.arange(first, last)
         if self.is_listed:
             return [_different(replace(one, values=one.values[first:last], numbers=None)) for one in self.varied]
-        shape = tuple(len(one.values) for one in self.varied)
-        return list(zip(self.varied, np.unravel_index(places, shape), strict=True))
+        return list(zip(self.varied, np.unravel_index(places, self.shape), strict=True))
 
     def __len__(self) -> int:
         return len(self.varied[0].values) if self.is_listed else prod(len(one.values) for one in self.varied)
