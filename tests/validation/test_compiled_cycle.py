@@ -62,7 +62,7 @@ def designs(name: str, n_designs: int = N_DESIGNS) -> list[ct.Machine]:
     return found
 
 
-OF_SHAFT = frozenset({"torque", "work", "flywheel", "running"})
+OF_SHAFT = frozenset({"torque", "work", "flywheel", "given", "running"})
 """What is asked of the loop where one part of a cycle that repeats itself is enough."""
 
 

@@ -202,15 +202,25 @@ def tell_running(
             return False
     for coefficient in range(wanted.coefficient.shape[1]):
         delta = wanted.coefficient[design, coefficient]
-        sizes, given = found.flywheel[design], work.speeds
+        sizes = found.flywheel[design]
         sizes[0] = exact_flywheel(stored, inertia, speed, delta, cut, square, tops)
         sizes[1] = mertsalov_flywheel(stored, inertia, speed, delta, cut, square, tops)
         sizes[2] = excess / (delta * speed * speed)
-        for method in range(3):
-            size = sizes[method]
-            if size != size or not fluctuation_of(stored, inertia, size, speed, cut, square, tops, given):
-                return False
-            sizes[3 + method] = (given[0] - given[2]) / speed
+        if sizes[0] != sizes[0]:
+            return False
+    return True
+
+
+def tell_given(
+    design: int, cut: CutCycle, turning: TurningDesigns, wanted: EvennessAsked, work: Work, found: Found
+) -> bool:
+    """Find what fluctuation the flywheels of a design give; whether it is known."""
+    speed, sizes, given = turning.speed[design], found.flywheel[design], work.speeds
+    stored, inertia, square = work.running[2], work.running[1], work.running[3]
+    for method in range(3 if wanted.coefficient.shape[1] > 0 else 0):
+        if not fluctuation_of(stored, inertia, sizes[method], speed, cut, square, work.tops, given):
+            return False
+        sizes[3 + method] = (given[0] - given[2]) / speed
     return True
 
 

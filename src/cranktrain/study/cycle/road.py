@@ -138,6 +138,8 @@ def way_to(machine: Machine, wanted: Sequence[str]) -> CompiledWay | Words:
     asks = {ASKS[kind].ask for kind in rests if kind is not GasPressures}
     if ASKS[GasPressures].names.difference(_BY_FORMULA).intersection(wanted):
         asks.add("pressure")
+    if "flywheel_fluctuation" in wanted:
+        asks.add("given")
     if "points" in asks and (reason := _no_bearings(parts)) is not None:
         return reason
     if asks & _OF_EVENNESS and (reason := _no_evenness(parts)) is not None:

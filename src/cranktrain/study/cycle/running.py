@@ -7,7 +7,8 @@ from cranktrain.study.cycle.panels import CutCycle
 from cranktrain.study.cycle.tops import Tops, highest
 
 _STEPS = 40
-_SETTLED = 1e-13
+_NEARLY = 1e-7
+"""A step, in parts of what is looked for, after which the next one is less than rounding."""
 _LEAST = 0.1
 """Of the mean speed: how slowly a shaft may turn for its points to show how it does."""
 
@@ -83,7 +84,7 @@ def energy_for(work: Array, inertia: Array, added: float, wanted: float, cut: Cu
         move = 0.5 * slow * ((slow * wanted) * (slow * wanted) - 1.0) * (cut.length / steep)
         move = max(move, 0.5 * (floor - energy))
         energy += move
-        if not abs(move) > _SETTLED * abs(energy):
+        if not abs(move) > _NEARLY * abs(energy):
             return energy
     return np.nan
 
@@ -162,7 +163,7 @@ def exact_flywheel(
     The middle of both speeds is looked for by secants: its mean over time is nearly itself. docs/theory/evenness,
     eqs. (17.7) and (17.8).
     """
-    half, middle, before, off_before = 0.5 * wanted * fluctuation, wanted, 0.0, 0.0
+    half, middle, before, off_before, size_before = 0.5 * wanted * fluctuation, wanted, 0.0, 0.0, 0.0
     for step in range(_STEPS):
         size, energy = flywheel_between(work, inertia, middle - half, middle + half, cut, square, tops)
         least = speeds_at(work, inertia, size, energy, cut.n_points, square)
@@ -172,8 +173,10 @@ def exact_flywheel(
             square[point] = 1.0 / np.sqrt(square[point])
         off = 1.0 / mean_of(square, cut) - wanted
         move = -off if step == 0 else -off * (middle - before) / (off - off_before)
-        if not abs(move) > _SETTLED * wanted:
+        if step > 0 and not abs(move) > _NEARLY * wanted:
+            return size + move * (size - size_before) / (middle - before)
+        if move == 0.0:
             return size
-        before, off_before = middle, off
+        before, off_before, size_before = middle, off, size
         middle += move
     return np.nan

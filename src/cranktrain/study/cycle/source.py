@@ -19,6 +19,7 @@ from cranktrain.study.cycle.loops import (
     push_on,
     shows,
     tell_chambers,
+    tell_given,
     tell_joints,
     tell_rods,
     tell_running,
@@ -320,6 +321,8 @@ def _tellers(structure: CycleStructure) -> Iterator[Callable[..., Any]]:
         yield from (begin_repeats, chambers_repeat, masters_repeat, mechanisms_repeat)
     if structure.needs_inertia:
         yield tell_running
+    if "given" in structure.asks:
+        yield tell_given
     if "points" in structure.asks:
         yield keep_panels
 
@@ -362,6 +365,8 @@ def _cycle(structure: CycleStructure) -> list[str]:
     known = "True"
     if structure.needs_inertia:
         known = "tell_running(design, cut, turning, wanted, work, found)"
+    if "given" in structure.asks:
+        known += " and tell_given(design, cut, turning, wanted, work, found)"
     if "points" in structure.asks:
         known += " and keep_panels(design, cut, work, found)"
     told.append(f"                found.is_known[design] = {known}")

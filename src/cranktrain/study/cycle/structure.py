@@ -18,7 +18,7 @@ class Shape(NamedTuple):
     fields: "tuple[Shape | None, ...]"
 
 
-_OF_SHAFT = frozenset({"torque", "work", "flywheel", "running"})
+_OF_SHAFT = frozenset({"torque", "work", "flywheel", "given", "running"})
 
 
 def shape_of(parts: tuple[object, ...]) -> Shape:
@@ -59,7 +59,8 @@ class CycleStructure:
     kinds : tuple of KindSource
     fluids : tuple of (Fluid, Shape)
     asks : frozenset of str
-        Of `torque`, `pressure`, `joint`, `rod`, `work`, `flywheel`, `running`; and `points`, which are to be kept.
+        Of `torque`, `pressure`, `joint`, `rod`, `work`, `flywheel`, what fluctuation that is `given` by it, `running`;
+        and `points`, which are to be kept.
     """
 
     kinds: tuple[KindSource, ...]

@@ -1,18 +1,18 @@
 """Largest values of curves that are known at Chebyshev's points of panels; plain loops, which compile."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.study.cycle.nodes import PanelNodes
-from cranktrain.study.cycle.panels import CutCycle
+from cranktrain.study.cycle.panels import MOST_PANELS, CutCycle
 
 MOST_TOPS = 64
 """Tops of one curve that are looked at."""
 _STEPS = 12
-_SETTLED = 1e-8
+_SETTLED = 1e-6
 """A step of Newton's method, in half widths of a panel, after which the next one is less than rounding."""
 _LOOKED_AT = 0.02
 """By which part of its range a curve's points may be lower than its top that lies between them."""
@@ -31,6 +31,8 @@ class Tops(NamedTuple):
     Attributes
     ----------
     height : Array, shape (point,)
+    most : Array, shape (panel,)
+        The largest of the heights in each.
     panel, node : array of int, shape (top,)
         Where tops are looked for.
     begins : array of bool, shape (top,)
@@ -40,6 +42,7 @@ class Tops(NamedTuple):
     """
 
     height: Array
+    most: Array
     panel: NDArray[np.intp]
     node: NDArray[np.intp]
     begins: NDArray[np.bool_]
@@ -53,7 +56,7 @@ def room_for_tops(n_points: int, n_orders: int) -> Tops:
     panel, node = np.zeros((2, MOST_TOPS), dtype=np.intp)
     angle, value = np.zeros((2, MOST_TOPS))
     begins = np.zeros(MOST_TOPS, dtype=np.bool_)
-    return Tops(np.zeros(n_points), panel, node, begins, angle, value, np.zeros((2, n_orders)))
+    return Tops(np.zeros(n_points), np.zeros(MOST_PANELS), panel, node, begins, angle, value, np.zeros((2, n_orders)))
 
 
 def highest(values: Array, sign: float, cut: CutCycle, tops: Tops) -> tuple[float, float]:
@@ -77,7 +80,7 @@ def highest(values: Array, sign: float, cut: CutCycle, tops: Tops) -> tuple[floa
     own, heights = values[: cut.n_points], tops.height[: cut.n_points]
     for point in range(cut.n_points):
         heights[point] = sign * own[point]
-    most, least = _spread(heights)
+    most, least = _spread(cut, tops)
     alike = _ALIKE * max(abs(most), abs(least))
     best, before, series = most, -1, tops.series[0]
     n_tops = _tops_at_points(cut, most, least, alike, tops)
@@ -87,7 +90,7 @@ def highest(values: Array, sign: float, cut: CutCycle, tops: Tops) -> tuple[floa
         if panel != before:
             _series(values, cut.panels.first[panel], row, cut.nodes, series)
             before = panel
-        way, value = _polished(series, sign, heights[cut.panels.first[panel] + node], alike, node, row, cut.nodes)
+        way, value = _polished(series, sign, heights[cut.panels.first[panel] :], alike, node, row, cut.nodes)
         best = max(best, value)
         _note(top, way, value, cut, tops)
     return _first_of_alike(n_tops, best - alike, cut, tops), sign * best
@@ -98,7 +101,7 @@ def largest_size(x: Array, y: Array, cut: CutCycle, tops: Tops) -> tuple[float, 
     own_x, own_y, squares = x[: cut.n_points], y[: cut.n_points], tops.height[: cut.n_points]
     for point in range(cut.n_points):
         squares[point] = own_x[point] * own_x[point] + own_y[point] * own_y[point]
-    most, least = _spread(squares)
+    most, least = _spread(cut, tops)
     alike = 2.0 * _ALIKE * most
     best, before, of_x, of_y = most, -1, tops.series[0], tops.series[1]
     n_tops = _tops_at_points(cut, most, least, alike, tops)
@@ -109,17 +112,22 @@ def largest_size(x: Array, y: Array, cut: CutCycle, tops: Tops) -> tuple[float, 
             _series(x, first, row, cut.nodes, of_x)
             _series(y, first, row, cut.nodes, of_y)
             before = panel
-        way, value = _polished_size(of_x, of_y, squares[first + node], node, row, cut.nodes)
+        way, value = _polished_size(of_x, of_y, squares[first:], alike, node, row, cut.nodes)
         best = max(best, value)
         _note(top, way, value, cut, tops)
     return _first_of_alike(n_tops, best - alike, cut, tops), np.sqrt(best)
 
 
-def _spread(heights: Array) -> tuple[float, float]:
-    """Largest and smallest of some heights."""
+def _spread(cut: CutCycle, tops: Tops) -> tuple[float, float]:
+    """Largest and smallest of the heights; the largest of each panel is noted."""
     most, least = -np.inf, np.inf
-    for point in range(heights.size):
-        most, least = max(most, heights[point]), min(least, heights[point])
+    for panel in range(cut.n_panels):
+        first, size = cut.panels.first[panel], cut.nodes.size[cut.panels.size[panel]]
+        heights, own_most, own_least = tops.height[first : first + size], -np.inf, np.inf
+        for node in range(size):
+            own_most, own_least = max(own_most, heights[node]), min(own_least, heights[node])
+        tops.most[panel] = own_most
+        most, least = max(most, own_most), min(least, own_least)
     return most, least
 
 
@@ -129,7 +137,7 @@ def _tops_at_points(cut: CutCycle, most: float, least: float, alike: float, tops
     for panel in range(cut.n_panels):
         first, size = cut.panels.first[panel], cut.nodes.size[cut.panels.size[panel]]
         heights = tops.height[first : first + size]
-        for node in range(size):
+        for node in range(size if tops.most[panel] >= enough else 0):
             height = heights[node]
             if height < enough or n_tops >= MOST_TOPS:
                 continue
@@ -202,31 +210,33 @@ def _integral_of_size(
 
 
 def _polished(
-    series: Array, sign: float, height: Any, alike: float, node: int, row: int, nodes: PanelNodes
+    series: Array, sign: float, heights: Array, alike: float, node: int, row: int, nodes: PanelNodes
 ) -> tuple[float, float]:
     """Top of a series about a point of its panel, by Newton's method: where in [−1, 1], and sign times its value.
 
     What is level, by slopes that are rounding, has its top at that point.
     """
     low, high = nodes.place[row, max(node - 1, 0)], nodes.place[row, min(node + 1, nodes.size[row] - 1)]
-    way, at = nodes.place[row, node], height
+    way, top = _begun(heights, alike, node, row, nodes), heights[node]
     for _step in range(_STEPS):
         at, slope, bend = _at(series, nodes.size[row], way)
         if abs(slope) <= _LEVEL * alike and abs(bend) <= _LEVEL * alike:
             break
         move = _toward_top(sign * slope, sign * bend, low - way, high - way)
         way += move
+        top = sign * (at + move * (slope + 0.5 * bend * move))
         if abs(move) <= _SETTLED:
             break
-    at = sign * _at(series, nodes.size[row], way)[0]
-    return (way, at) if at >= height else (nodes.place[row, node], height)
+    return (way, top) if top >= heights[node] else (nodes.place[row, node], heights[node])
 
 
-def _polished_size(x: Array, y: Array, square: Any, node: int, row: int, nodes: PanelNodes) -> tuple[float, float]:
+def _polished_size(
+    x: Array, y: Array, squares: Array, alike: float, node: int, row: int, nodes: PanelNodes
+) -> tuple[float, float]:
     """Top of the square of a vector by the series of its components; as `_polished`."""
     size = nodes.size[row]
     low, high = nodes.place[row, max(node - 1, 0)], nodes.place[row, min(node + 1, size - 1)]
-    way = nodes.place[row, node]
+    way, top = _begun(squares, alike, node, row, nodes), squares[node]
     for _step in range(_STEPS):
         at_x, slope_x, bend_x = _at(x, size, way)
         at_y, slope_y, bend_y = _at(y, size, way)
@@ -234,11 +244,21 @@ def _polished_size(x: Array, y: Array, square: Any, node: int, row: int, nodes: 
         bend = slope_x * slope_x + slope_y * slope_y + at_x * bend_x + at_y * bend_y
         move = _toward_top(slope, bend, low - way, high - way)
         way += move
+        top = at_x * at_x + at_y * at_y + move * (2.0 * slope + bend * move)
         if abs(move) <= _SETTLED:
             break
-    at_x, at_y = _at(x, size, way)[0], _at(y, size, way)[0]
-    top = at_x * at_x + at_y * at_y
-    return (way, top) if top >= square else (nodes.place[row, node], square)
+    return (way, top) if top >= squares[node] else (nodes.place[row, node], squares[node])
+
+
+def _begun(heights: Array, alike: float, node: int, row: int, nodes: PanelNodes) -> float:
+    """Where in [−1, 1] a top is looked for first: at that of a parabola through a point and those beside it."""
+    place, last = nodes.place[row], nodes.size[row] - 1
+    if node == 0 or node == last or heights[node] - max(heights[node - 1], heights[node + 1]) <= _LEVEL * alike:
+        return place[node]
+    rise = (heights[node] - heights[node - 1]) / (place[node] - place[node - 1])
+    fall = (heights[node + 1] - heights[node]) / (place[node + 1] - place[node])
+    bend = (fall - rise) / (place[node + 1] - place[node - 1])
+    return place[node] - 0.5 * (rise + bend * (place[node] - place[node - 1])) / bend
 
 
 def _toward_top(slope: float, bend: float, low: float, high: float) -> float:
