@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.machines import slider
 
 import cranktrain as ct
 from cranktrain.study.cycle.kept import fingerprint
@@ -16,27 +15,12 @@ from cranktrain.study.sweep import computed
 from cranktrain.study.sweep.facts import FactsOfSweep
 from cranktrain.study.sweep.varied import combined_designs
 
-GAS = {
-    "kind": "dual",
-    "start_pressure": "1 bar",
-    "compression_exponent": 1.36,
-    "expansion_exponent": 1.25,
-    "pressure_ratio": 1.5,
-    "cut_off_ratio": 1.3,
-}
+SINGLE = Path(__file__).parents[2] / "benchmarks" / "single.toml"
 
 
 @cache
 def cylinder() -> ct.Machine:
-    return ct.Machine(
-        name="a cylinder",
-        mechanism=slider(crank_radius="45 mm", rod_length="150 mm"),
-        shaft={"main": {"speed": "3000 rpm"}},
-        cylinder={"bore": "80 mm", "compression_ratio": 14.0, "cycle": "four-stroke", "firing_order": "1"},
-        masses={"piston": {"mass": "0.6 kg"}, "rod": {"big_end": "0.5 kg", "small_end": "0.2 kg"}},
-        gas=GAS,
-        evenness={"flywheel": "0.4 kg*m^2", "coefficient": 0.01},
-    )
+    return ct.load(str(SINGLE)).with_({"cylinder.compression_ratio": 14.0})
 
 
 FACTS = ["largest_torque", "mean_torque", "largest_side_force", "flywheel_inertia", "stroke"]
