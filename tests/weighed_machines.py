@@ -28,3 +28,8 @@ def weighed(table):
 WEIGHED = {kind.name: weighed(tomllib.loads(kind.example)) for kind in KINDS} | {
     name: ct.load(name) for name in ("3d12", "r_1340", "deltic", "vaz_21213")
 }
+CLOSED_FORMS = (
+    *("slider_crank", "crank_rocker", "articulated_rod", "scotch_yoke"),
+    *("oscillating_cylinder", "slotted_lever", "eccentric"),
+)
+"""Kinds that are no chains of links."""

@@ -6,11 +6,13 @@ from functools import cache
 
 import numpy as np
 import pytest
+from tests.weighed_machines import CLOSED_FORMS, WEIGHED
 
 import cranktrain as ct
 from cranktrain.columns import in_columns
 from cranktrain.errors import InputError
 from cranktrain.machine import machine_problems
+from cranktrain.mechanisms import KINDS
 from cranktrain.quantities.number import rounded
 from cranktrain.study.cycle.road import CompiledWay, FactsOfCycles, facts_of_cycles, way_to
 from cranktrain.study.sweep.typed import quantity_typed
@@ -120,6 +122,29 @@ def compare(found: FactsOfCycles, by_run: Mapping[str, np.ndarray]) -> None:
         assert np.nanmax(off - part * scale, initial=-1.0) <= 0.0, (fact, np.nanmax(off / scale))
 
 
+@pytest.mark.parametrize("name", CLOSED_FORMS)
+def test_every_closed_form(name):
+    """Mechanisms without gas, whatever they are made of."""
+    machine = WEIGHED[name].with_({"evenness.flywheel": "5 kg*m^2", "evenness.coefficient": 0.05})
+    machines = [machine.with_({"shaft.main.speed": f"{speed} rpm"}) for speed in range(50, 160, 10)]
+    wanted = ["largest_torque", "smallest_torque", "largest_joint_force", "coefficient_of_fluctuation"]
+    wanted += ["flywheel_inertia"]
+    way = way_to(machine, wanted)
+    assert isinstance(way, CompiledWay)
+    found, exact = facts_of_cycles(in_columns(machines), len(machines), way), ct.run(machines, quantities=wanted)
+    assert np.all(found.is_known)
+    for fact in wanted:
+        by_run = getattr(exact, fact)
+        np.testing.assert_allclose(
+            found.values[fact], by_run, rtol=0, atol=1e-9 * np.nanmax(np.abs(by_run)), err_msg=fact
+        )
+
+
+def test_chains_are_not_compiled():
+    ways = {kind.name: way_to(WEIGHED[kind.name], ["largest_torque"]) for kind in KINDS}
+    assert {name for name, way in ways.items() if isinstance(way, CompiledWay)} == set(CLOSED_FORMS)
+
+
 @pytest.mark.parametrize("name", ["vaz_21213", "gas_compressor"])
 def test_a_design_is_found_as_it_is_alone(name):
     """Whatever stands beside it: to the last bit."""
@@ -150,7 +175,7 @@ def test_central_differences_of_facts(fact, path):
 @pytest.mark.parametrize(
     ("name", "fact", "words"),
     [
-        ("shaper", "largest_torque", "composed in the file"),
+        ("shaper", "largest_torque", "a chain of links"),
         ("mill_engine", "largest_torque", "curve over the cycle"),
         ("burning_cylinder", "largest_torque", "curve over the cycle"),
         ("eccentric_press", "largest_torque", "loads act"),

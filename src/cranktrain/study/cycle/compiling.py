@@ -4,6 +4,7 @@ Kernels take a crank angle for its cosine and its sine alone. So an angle may be
 mechanisms; and the value of an angle that is found back from its sine and cosine is asked by no force, and is NaN.
 """
 
+import operator
 from collections.abc import Callable
 from functools import cache
 from inspect import getsource
@@ -66,6 +67,11 @@ def _sin(angle: Array) -> Array:
     return np.sin(angle)
 
 
+def _turned(angle: Direction, by: Array) -> Direction:
+    cos, sin = np.cos(by), np.sin(by)
+    return Direction(angle.cos * cos - angle.sin * sin, angle.sin * cos + angle.cos * sin)
+
+
 @cache
 def plain_numpy() -> ModuleType:
     """Give what stands for NumPy in the kernels."""
@@ -83,9 +89,13 @@ def plain_numpy() -> ModuleType:
     def compiled_nothing(*_given: object) -> object:
         return not_asked
 
+    def compiled_sum(angle: object, _by: object) -> object:
+        return _turned if of_direction(angle) else None
+
     overload(cosine, strict=False)(compiled_cosine)
     overload(sine, strict=False)(compiled_sine)
     overload(not_asked, strict=False)(compiled_nothing)
+    overload(operator.add, strict=False)(compiled_sum)
     module = ModuleType("plain_numpy")
     vars(module).update({name: thing for name, thing in vars(np).items() if isinstance(thing, np.ufunc | float)})
     vars(module).update(cos=cosine, sin=sine, arctan2=not_asked, power=compiled_kernel(power, faster=_AS_WRITTEN))

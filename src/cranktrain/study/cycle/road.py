@@ -176,8 +176,8 @@ def _out_of_reach(parts: Parts) -> Words | None:
     if not isinstance(mechanisms, Mechanisms) or not isinstance(masses, Masses):
         return _("it has neither gas nor masses")
     kinds = [batch.kind for batch in mechanisms.batches]
-    if any(kind.structure is not None or kind.change_points is not None for kind in kinds):
-        return _("its mechanism is composed in the file, or comes through change points")
+    if any("<locals>" in kind.motion.__qualname__ or kind.change_points is not None for kind in kinds):
+        return _("its mechanism is a chain of links, or comes through change points")
     if not isinstance(speed, Speed) or speed.curve is not None:
         return _("it has no speed, or one that varies")
     if masses.has_friction:
