@@ -1,67 +1,25 @@
 """The compiled cycle against `run`, which is its judge: random designs of all examples that it knows."""
 
-import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 
 import numpy as np
 import pytest
+from tests import random_designs
+from tests.random_designs import EXAMPLES, changed, facts_by_run, facts_of_both, most_apart, numbers_of, parts_apart
 from tests.weighed_machines import CLOSED_FORMS, WEIGHED
 
 import cranktrain as ct
 from cranktrain.columns import in_columns
-from cranktrain.errors import InputError
-from cranktrain.machine import machine_problems
 from cranktrain.mechanisms import KINDS
-from cranktrain.quantities.number import rounded
 from cranktrain.study.cycle.road import CompiledWay, FactsOfCycles, facts_of_cycles, way_to
-from cranktrain.study.sweep.typed import quantity_typed
 
-EXAMPLES = (
-    *("vaz_21213", "3d12", "kamaz_740", "ls3", "r_1340", "deltic", "10d100"),
-    *("gas_compressor", "two_throw_compressor", "compressor_start", "inline_six"),
-)
 N_DESIGNS = 20
-EVEN = ("excess", "flywheel", "fluctuation", "crank_speed", "mean_speed_over_angle", "mean_speed_of_extremes")
-"""Of what is made of integrals of the torque, in parts of the largest: 1e-6; all else 1e-9."""
-
-
-def numbers_of(data, above=()) -> Iterator[tuple[tuple, object]]:
-    """Paths of all numbers of some tables, with what is typed."""
-    if isinstance(data, Mapping) and "value" not in data:
-        for key, inner in data.items():
-            yield from numbers_of(inner, (*above, key))
-    else:
-        typed = data["value"] if isinstance(data, Mapping) else data
-        if isinstance(typed, float) or (isinstance(typed, str) and quantity_typed(typed) is not None):
-            yield above, typed
-
-
-def changed(typed, factor):
-    """A number as typed, times a factor."""
-    if isinstance(typed, float):
-        return typed * factor
-    found = quantity_typed(typed)
-    return f"{rounded(found.number) * factor!r} {found.unit}"
 
 
 @cache
-def designs(name: str, n_designs: int = N_DESIGNS) -> list[ct.Machine]:
-    """The example, and variants of it in up to six numbers by up to 4 %."""
-    machine, chance = ct.load(name), random.Random(name)
-    numbers = [one for one in numbers_of(machine.declared) if one[0][-1] not in ("start_pressure", "direction")]
-    found = [machine]
-    while len(found) < n_designs:
-        some = chance.sample(numbers, min(6, len(numbers)))
-        row = {".".join(map(str, path)): changed(typed, chance.uniform(0.96, 1.04)) for path, typed in some}
-        try:
-            design = machine.with_(row)
-            ct.run(design)
-        except InputError:
-            continue
-        if not machine_problems(design):
-            found.append(design)
-    return found
+def designs(name: str) -> list[ct.Machine]:
+    return random_designs.designs(name, N_DESIGNS)
 
 
 OF_SHAFT = frozenset({"torque", "work", "flywheel", "given", "running"})
@@ -76,14 +34,8 @@ def of_shaft(machine: ct.Machine, fact: str) -> bool:
 @cache
 def facts_by_both(name: str) -> tuple[CompiledWay, FactsOfCycles, Mapping[str, np.ndarray]]:
     machines = designs(name)
-    alone = ct.run(machines[0])
-    wanted = [
-        fact
-        for fact, entry in alone.catalogue.items()
-        if not alone.is_curve(entry) and isinstance(way_to(machines[0], [fact]), CompiledWay)
-    ]
-    result = ct.run(machines, quantities=wanted)
-    exact = {fact: np.array(getattr(result, fact)) for fact in wanted}  # and none of the curves
+    wanted = facts_of_both(machines[0])
+    exact = facts_by_run(machines, wanted)
     way = way_to(machines[0], wanted)
     assert isinstance(way, CompiledWay)
     return way, facts_of_cycles(in_columns(machines), len(machines), way), exact
@@ -111,15 +63,12 @@ def compare(found: FactsOfCycles, by_run: Mapping[str, np.ndarray]) -> None:
     for fact, values in found.values.items():
         exact, entry = by_run[fact], found.entries[fact]
         np.testing.assert_array_equal(np.isnan(values), np.isnan(exact), err_msg=fact)
-        off = np.abs(values - exact)
         if entry.unit == "deg":
             # tops that are alike stand where rounding has them
-            apart = np.abs(np.mod(np.nan_to_num(off) + 180, 360) - 180)
+            apart = np.abs(np.mod(np.nan_to_num(values - exact) + 180, 360) - 180)
             assert np.median(apart) < 1e-6, fact
             continue
-        scale = np.nanmax(np.abs(exact), axis=tuple(range(1, exact.ndim)), keepdims=True, initial=0.0)
-        part = 1e-6 if any(word in fact for word in EVEN) else 1e-9
-        assert np.nanmax(off - part * scale, initial=-1.0) <= 0.0, (fact, np.nanmax(off / scale))
+        assert np.max(parts_apart(values, exact)) <= most_apart(fact), fact
 
 
 @pytest.mark.parametrize("name", CLOSED_FORMS)

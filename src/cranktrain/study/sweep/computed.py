@@ -103,11 +103,7 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
     if blocks is not None and not missing:
         return Sweep(plan.machine, designs, store.found())
     n_together = compute.n_together
-    tried = _tried(
-        compute,
-        max(_TRIED, n_together // _TRIED_OF),
-        *((0, len(designs)) if blocks is None else blocks.span(missing[0])),
-    )
+    tried = _tried(compute, n_together, *((0, len(designs)) if blocks is None else blocks.span(missing[0])))
     n_left = len(designs) if blocks is None else sum(after - first for first, after in map(blocks.span, missing))
     seconds = (n_left - len(tried.found.refused)) * tried.each
     if not is_meant and scheduler is None and seconds / processes > _LONG:
@@ -177,11 +173,18 @@ class _Tried(NamedTuple):
         return rows_of(self.found, first - self.first, min(after, self.after) - self.first)
 
 
-def _tried(compute: Compute, n_first: int, first: int, after: int) -> _Tried:
-    """Compute some designs, more and more at once, until it is known how long one takes; `after` is not among them."""
+def _tried(compute: Compute, n_together: int, first: int, after: int) -> _Tried:
+    """Compute some designs, more and more at once, until it is known how long one takes; `after` is not among them.
+
+    One among `n_together`, unless these may take longer than a slow block: of few each bears more of what is shared.
+    """
     parts: list[FactsOfRows] = []
-    place, n_next, each, seconds = first, n_first, 0.0, 0.0
-    while place < after and seconds < _MEASURED:
+    place, n_next, each, seconds = first, max(_TRIED, n_together // _TRIED_OF), 0.0, 0.0
+    while place < after and (
+        seconds < _MEASURED or (n_next < n_together and 0.0 < seconds < _SLOW_BLOCK_SECONDS * n_next / n_together)
+    ):
+        if seconds >= _MEASURED:
+            n_next = n_together
         end = min(place + n_next, after)
         since = perf_counter()
         parts.append(compute((place, end)))
@@ -189,7 +192,7 @@ def _tried(compute: Compute, n_first: int, first: int, after: int) -> _Tried:
         place, each = end, seconds / (end - place)
         if len(parts) == 1:  # it loads what the others have then
             seconds = 0.0
-        else:
+        elif seconds < _MEASURED:
             n_next *= _GROWTH
     return _Tried(first, place, joined_rows(parts), each)
 
