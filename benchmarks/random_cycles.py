@@ -130,9 +130,7 @@ def cannot_be() -> bool:
             exact = np.full(len(values), np.nan)
         if not np.array_equal(np.isfinite(values), np.isfinite(exact)):
             wrong.append((row, values, exact))
-    print(
-        f"numbers that are none: {N_ODD} designs, {n_refused} refused by run, {len(wrong)} with other facts by the sweep"
-    )
+    print(f"numbers that are none: {N_ODD} designs, {n_refused} refused by run, {len(wrong)} otherwise by the sweep")
     for row, values, exact in wrong[:SHOWN]:
         print(f"    {row}: {values}, by run {exact}")
     return not wrong
