@@ -7,7 +7,9 @@ from typing import Any, TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.language import Message, Words
 from cranktrain.saying.catalogue import entries
+from cranktrain.saying.checks import Flag
 
 MOST_AT_ONCE = 64
 """Designs of a block; cost per design falls no further with more."""
@@ -74,9 +76,24 @@ def _joined_tuples(each: Sequence[tuple[Any, ...]], sizes: Sequence[int]) -> Any
         return type(first)(*(_joined(parts, sizes) for parts in zip(*each, strict=True)))
     if _follows([len(part) for part in each], sizes):
         return tuple(item for part in each for item in part)
-    if all(isinstance(item, str) for part in each for item in part):
-        return tuple(dict.fromkeys(item for part in each for item in part))
+    if all(isinstance(item, str | Message) for part in each for item in part):
+        return _joined_words(each, sizes)
     return tuple(_joined(parts, sizes) for parts in zip(*each, strict=True))
+
+
+def _joined_words(each: Sequence[tuple[Words, ...]], sizes: Sequence[int]) -> tuple[Words, ...]:
+    """Sentences, each once; a flag of designs with these at their places among all."""
+    said: dict[Words, Words] = {}
+    start = 0
+    for words, size in zip(each, sizes, strict=True):
+        for one in words:
+            before = said.setdefault(one, one)
+            if isinstance(one, Flag):
+                own = {start + design: message for design, message in one.own.items()}
+                known = before.own if isinstance(before, Flag) and before is not one else {}
+                said[one] = Flag(one.text, one.pieces, {**known, **own})
+        start += size
+    return tuple(said.values())
 
 
 def _follows(lengths: Sequence[int], sizes: Sequence[int]) -> bool:

@@ -8,6 +8,7 @@ from tests.told import texts_of
 import cranktrain as ct
 from cranktrain.analysis.blocks import MOST_AT_ONCE, block_sizes
 from cranktrain.errors import InputError
+from cranktrain.saying.checks import Flag
 
 N = 2 * MOST_AT_ONCE
 """Blocks of one size would not tell the design axis from any other."""
@@ -45,6 +46,22 @@ def test_each_design_is_as_if_alone(several, i):
     assert several.missing == alone.missing
     assert several.labels["design"][i] == str(i + 1)
     assert several.dataset.stroke.sizes == {"design": N, "piston": 12}
+
+
+def test_flags_of_later_blocks_are_told_with_their_designs():
+    """Speeds that nobody ever ran stand in the last block alone; no block before it has any flag."""
+    fast = [N - 3, N - 1]
+    machines = [design(i) for i in range(N)]
+    for i in fast:
+        machines[i] = machines[i].with_({"shaft.main.speed": f"{2e5 + i} rpm"})
+    several = ct.run(machines, step_degrees=30.0)
+    flags = [flag for flag in several.flag_words if isinstance(flag, Flag)]
+    assert {i for flag in flags for i in flag.own} == set(fast)
+    for i in fast:
+        alone = [str(flag) for flag in ct.run(machines[i], step_degrees=30.0).flag_words]
+        own = [str(flag.own[i]) for flag in flags if i in flag.own]
+        assert own
+        assert set(own) <= set(alone)
 
 
 def test_what_is_asked_for_is_kept():
