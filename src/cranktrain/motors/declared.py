@@ -1,6 +1,6 @@
 """A motor as questions take it: its law with the numbers of all designs, what its plate says, and its brief limits."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, ClassVar, NamedTuple, cast
 
@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.language import N_, Words, _
 from cranktrain.motion import ONE, Array, single
 from cranktrain.motors.law import BriefLimits, ByTime, MotorLaw
-from cranktrain.numerics.nested import each_changed
+from cranktrain.numerics.nested import each_changed, filled, leaves
 from cranktrain.numerics.ties import first_largest
 from cranktrain.record import record
 from cranktrain.saying.wording import number
@@ -184,6 +184,21 @@ class DeclaredMotor:
         if kernel is None:
             return np.full((self.n_designs, np.shape(speed)[-1]), np.nan)
         return kernel(speed, cast(Array, time), _over_speeds(numbers))
+
+
+def motors_together(each: Sequence[DeclaredMotor]) -> DeclaredMotor:
+    """Motors of one law, in their order, as one of all designs; nothing is said of their currents."""
+    first = each[0]
+    if len(each) == 1:
+        return first
+    columns = zip(*(leaves(one.numbers) for one in each), strict=True)
+    return replace(
+        first,
+        numbers=filled(first.numbers, (np.concatenate(column, axis=-1) for column in columns)),
+        rating=Rating(*(np.concatenate(column) for column in zip(*(one.rating for one in each), strict=True))),
+        top_speed=np.concatenate([one.top_speed for one in each]),
+        current_numbers=None,
+    )
 
 
 def _over_speeds(numbers: tuple[Any, ...]) -> tuple[Any, ...]:

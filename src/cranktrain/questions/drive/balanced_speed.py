@@ -1,14 +1,14 @@
 """The constant speed at which a motor's mean torque balances the machine's: the limit of very even running."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.questions.drive.steady_turn import DriveInTurn
-from cranktrain.questions.evenness.speed_law import Power
-from cranktrain.questions.reduction.at_angles import ReducedAt
-from cranktrain.transient.gearing import overall_ratio, turning_inertia
+from cranktrain.questions.drive.steady_turn import DriveInTurn, together
+from cranktrain.questions.reduction.gear_train import through_stages
+from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
 
 _N_SPEEDS, _AT_ONCE = 400, 40
 _N_ANGLES = 96
@@ -43,60 +43,58 @@ class SpeedBalance(NamedTuple):
         return low + (high - low) * over / (over - under)
 
 
-def balance(turning: DriveInTurn, cycle: float) -> SpeedBalance:
-    """Look for the constant speed at which the motor gives on the mean what the machine takes.
+def balances(each: Sequence[DriveInTurn], cycle: float) -> list[SpeedBalance]:
+    """Look for the constant speeds at which motors give on the mean what their machines take.
 
     Parameters
     ----------
-    turning : DriveInTurn
+    each : sequence of DriveInTurn
+        Designs of one structure.
     cycle : float
         [rad]
 
     Returns
     -------
-    SpeedBalance
+    list of SpeedBalance
         Up to 1.3 times the motor's top speed; where it has none or still drives there, and neither speed is a balance,
         as far as the torque falls below the load.
     """
-    there = turning.at((np.arange(_N_ANGLES) + 0.5) * cycle / _N_ANGLES)
-    highest = turning.motor.highest_speed(0) / overall_ratio(turning.gearing)
-    if np.isfinite(highest):
-        found = _up_to(there, highest)
-        if found.speed is not None or found.excess[-1] <= 0:
-            return found
-    return _up_to(there, _end(there, highest if np.isfinite(highest) else 1.0))
+    angle = np.broadcast_to((np.arange(_N_ANGLES) + 0.5) * cycle / _N_ANGLES, (len(each), _N_ANGLES))
+    there = together(each).at(angle)
+    highest = np.array([one.motor.highest_speed(0) / overall_ratio(one.gearing) for one in each])
+    found = _up_to(there, np.where(np.isfinite(highest), highest, 1.0))
+    for place, (top, own) in enumerate(zip(highest.tolist(), found, strict=True)):
+        if np.isinf(top) or (own.speed is None and own.excess[-1] > 0):
+            alone = together(each[place : place + 1]).at(angle[:1])
+            (found[place],) = _up_to(alone, _end(alone, top if np.isfinite(top) else 1.0))
+    return found
 
 
-def _up_to(turning: DriveInTurn, top: float) -> SpeedBalance:
-    """Look from the highest speed down, some speeds at once, as far as a balance."""
-    speeds = np.linspace(_SLOWEST, _BEYOND, _N_SPEEDS) * top
-    excess = np.empty(0)
+def _up_to(turning: DriveInTurn, tops: Array) -> list[SpeedBalance]:
+    """Look from the highest speeds down, shape (design,), some speeds at once, as far as a balance of each."""
+    speeds = np.linspace(_SLOWEST, _BEYOND, _N_SPEEDS) * tops[:, np.newaxis]
+    excess, found = np.empty((len(tops), 0)), list[SpeedBalance]()
     for first in range(_N_SPEEDS - _AT_ONCE, -1, -_AT_ONCE):
-        excess = np.append(_mean_work(turning, speeds[first : first + _AT_ONCE]), excess)
-        found = SpeedBalance(speeds[first:], excess)
-        if found.speed is not None:
-            return found
-    return SpeedBalance(speeds, excess)
+        excess = np.append(_mean_work(turning, speeds[:, first : first + _AT_ONCE]), excess, axis=1)
+        found = [SpeedBalance(*own) for own in zip(speeds[:, first:], excess, strict=True)]
+        if all(own.speed is not None for own in found):
+            break
+    return found
 
 
-def _end(turning: DriveInTurn, first: float) -> float:
-    """Speed from which on a motor without a top speed does not drive against this load. [rad/s]"""
+def _end(turning: DriveInTurn, first: float) -> Array:
+    """Speed from which on a motor without a top speed does not drive against this load, shape (1,). [rad/s]"""
     speeds: Array = np.geomspace(first, _FASTEST * first, 18)
-    drives = np.flatnonzero(_mean_work(turning, speeds) > 0)
-    return float(speeds[min(drives[-1] + 1, speeds.size - 1)]) if drives.size else first
+    drives = np.flatnonzero(_mean_work(turning, speeds[np.newaxis])[0] > 0)
+    return speeds[[min(drives[-1] + 1, speeds.size - 1)]] if drives.size else np.array([first])
 
 
 def _mean_work(turning: DriveInTurn, speeds: Array) -> Array:
-    """Mean over the cycle of what drives the crank at constant speeds, less what holds it, shape (n,). [N·m]"""
-    here, n = turning.here, speeds.size
-    powers = tuple(Power(np.tile(one.coefficient, n), one.exponent) for one in here.powers)
-    inertia, slope, load, output = (np.tile(each, n) for each in (here.inertia, here.slope, here.load, here.output))
-    along = ReducedAt(inertia, slope, load, powers, output)
-    work = _work(turning._replace(here=along), np.repeat(speeds, here.load.size))
-    return np.mean(work.reshape(n, -1), axis=1)
-
-
-def _work(turning: DriveInTurn, speed: Array) -> Array:
-    """What drives the crank at a constant speed, less what holds it: what inertia would take. [N·m]"""
-    whole = turning.here.inertia + turning_inertia(turning.gearing)
-    return whole * turning.passed(speed).acceleration + 0.5 * turning.here.slope * speed**2
+    """Mean over the cycle of what drives the crank at constant speeds, less what holds it, shape (design, n). [N·m]"""
+    here = turning.here.changed(lambda curve: curve[:, np.newaxis])
+    gearing = Gearing(*(np.asarray(part)[..., np.newaxis] for part in turning.gearing))
+    torque, speed = turning.motor_torque(speeds)[..., np.newaxis], speeds[..., np.newaxis]
+    passed = through_stages(torque, here.inertia, here.taken(speed), gearing)
+    # what inertia would take
+    work = (here.inertia + turning_inertia(gearing)) * passed.acceleration + 0.5 * here.slope * speed**2
+    return np.mean(work, axis=-1)

@@ -1,12 +1,13 @@
 """The equation of motion over a cycle at Gauss's points: Newton's method for the cycle that repeats itself."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn
-from cranktrain.questions.reduction.cycle_pieces import INTEGRALS, N_NODES, CyclePieces, to_places
+from cranktrain.questions.reduction.cycle_pieces import INTEGRALS, N_NODES, CyclePieces, pieces_together, to_places
 
 _MOST_STEPS = 60
 _FIRST_STEPS, _LAST_STEPS = 16, 10
@@ -24,54 +25,87 @@ _TO_ENDS = to_places(np.array([0.0, 1.0]))
 def speed_over_turn(
     acceleration: Callable[[Array], Array], mesh: CyclePieces, first_speed: float | Array
 ) -> SpeedOverTurn | None:
-    """Find the cycle that repeats itself, near a constant speed or another cycle.
+    """Find the cycle that repeats itself of one design: as `speeds_over_turn`, of arrays without the designs' axis."""
+    of_one = pieces_together([mesh])
+    first = np.full(of_one.nodes.shape, first_speed)
+    return speeds_over_turn(lambda speed: acceleration(speed[0])[np.newaxis], of_one, first)[0].cycle
+
+
+class Sought(NamedTuple):
+    """What became of a cycle that was sought: None where there is none, or none yet."""
+
+    cycle: SpeedOverTurn | None
+    is_over: bool
+
+
+def speeds_over_turn(
+    acceleration: Callable[[Array], Array], mesh: CyclePieces, first_speed: Array, most_steps: int = _MOST_STEPS
+) -> list[Sought]:
+    """Find the cycles that repeat themselves, near constant speeds or other cycles; each as if it were alone.
 
     Parameters
     ----------
     acceleration : callable
-        Of the crank at the nodes of the mesh, by the speeds there, shape (n,). [rad/s → rad/s²]
+        Of the crank at the nodes of the mesh, by the speeds there, shape (design, n). [rad/s → rad/s²]
     mesh : CyclePieces
-        Where its limits of ω²/2 change from one piece to the next, the law jumps.
-    first_speed : float, or Array of shape (n,)
+        Of the designs. Where its limits of ω²/2 change from one piece to the next, the law jumps.
+    first_speed : Array, shape (design, n)
         At the nodes. [rad/s]
+    most_steps : int, optional
+        After which what is not over is left.
 
     Returns
     -------
-    SpeedOverTurn or None
-        None where none was found: the shaft would stop within the cycle, or the steps do not end.
+    list of Sought
+        Without a cycle where none was found: the shaft would stop within the cycle, or the steps do not end.
 
     Notes
     -----
     docs/theory/reduced-machine, eqs. (31.6) to (31.8): ω²/2 has the slope ε by the angle. Newton's method on Gauss's
     points of all pieces, so that a motor may be as stiff as it likes.
     """
-    half = np.full(len(mesh.start) * N_NODES, 0.5 * np.square(first_speed))
-    moves: list[float] = []
-    for _ in range(_MOST_STEPS):
-        base = float(mesh.mean(half))
-        there = mesh.within(half)
-        aside = np.where(mesh.within(there * (1 + _NEAR)) > there * (1 + 0.5 * _NEAR), _NEAR, -_NEAR)
+    half, n_designs = 0.5 * np.square(first_speed), len(first_speed)
+    found: list[Sought | None] = [None] * n_designs
+    moves: list[list[float]] = [[] for _design in range(n_designs)]
+    for _ in range(most_steps):
+        if None not in found:
+            break
         with np.errstate(all="ignore"):
+            base = mesh.mean(half)[:, np.newaxis]
+            there = mesh.within(half)
+            aside = np.where(mesh.within(there * (1 + _NEAR)) > there * (1 + 0.5 * _NEAR), _NEAR, -_NEAR)
             now = acceleration(np.sqrt(2 * there))
             near = acceleration(np.sqrt(2 * there * (1 + aside)))
-        slope = (near - now) / (there * aside)
-        if not np.all(np.isfinite(slope)):
-            return None
-        rest = now - slope * (there - base)
-        departure, at_start, slopes, multiplier = _linear_cycle(slope, rest, now, mesh, base)
-        if not np.all(np.isfinite(departure)):
-            return None
-        # A step that would stop the shaft goes part of the way.
-        better = np.clip(base + departure, half / 4, half * 4)
-        moves.append(float(np.max(np.abs(better - half) / half)))
+            slope = (near - now) / (there * aside)
+            is_known = np.all(np.isfinite(slope), axis=-1)
+            slope = np.where(is_known[:, np.newaxis], slope, 0.0)  # of a design that is over, what can be solved
+            rest = now - slope * (there - base)
+            line = _linear_cycle(slope, rest, now, mesh, base)
+            # A step that would stop the shaft goes part of the way.
+            better = np.clip(base + line.departure, half / 4, half * 4)
+            moved = np.max(np.abs(better - half) / half, axis=-1).tolist()
+        is_known &= np.all(np.isfinite(line.departure), axis=-1)
+        stands = np.min(better, axis=-1) < _STANDS * np.max(better, axis=-1)
         half = better
-        if np.min(half) < _STANDS * np.max(half):
-            return None
-        if moves[-1] < _SETTLED:
-            return SpeedOverTurn(mesh, base, departure, at_start, slopes, multiplier)
-        if _leads_nowhere(moves):
-            return None
-    return None
+        for design in (place for place, known in enumerate(found) if known is None):
+            moves[design].append(moved[design])
+            if not is_known[design] or stands[design]:
+                found[design] = Sought(None, is_over=True)
+            elif moved[design] < _SETTLED:
+                own = CyclePieces(*(part[design] for part in mesh))
+                cycle = SpeedOverTurn(
+                    own,
+                    float(base[design, 0]),
+                    line.departure[design],
+                    line.at_start[design],
+                    line.slopes[design],
+                    float(line.multiplier[design]),
+                )
+                found[design] = Sought(cycle, is_over=True)
+            elif _leads_nowhere(moves[design]):
+                found[design] = Sought(None, is_over=True)
+    is_over = most_steps >= _MOST_STEPS
+    return [Sought(None, is_over) if own is None else own for own in found]
 
 
 def _leads_nowhere(moves: list[float]) -> bool:
@@ -79,48 +113,56 @@ def _leads_nowhere(moves: list[float]) -> bool:
     return len(moves) >= _FIRST_STEPS and min(moves[-_LAST_STEPS:]) > 0.5 * min(moves[:-_LAST_STEPS])
 
 
-def _linear_cycle(
-    slope: Array, rest: Array, now: Array, mesh: CyclePieces, base: float
-) -> tuple[Array, Array, Array, float]:
+class _LinearCycle(NamedTuple):
     """Periodic solution of y′ = a y + b from the base on: at the nodes, where pieces begin, its slope; multiplier."""
+
+    departure: Array
+    at_start: Array
+    slopes: Array
+    multiplier: Array
+
+
+def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base: Array) -> _LinearCycle:
+    """Solve the equation of a step of Newton's method, of every design."""
     # Solved for the slopes, each row by its own size: where a is large, as behind a stiff motor, y would lose digits.
-    width = mesh.width[:, np.newaxis]
-    a, b = (part.reshape(-1, N_NODES) for part in (slope, rest))
+    width = mesh.width[..., np.newaxis]
+    a, b = (part.reshape(*width.shape[:-1], N_NODES) for part in (slope, rest))
     size = 1 / (1 + width * np.abs(a))
     system = size[..., np.newaxis] * (np.eye(N_NODES) - (width * a)[..., np.newaxis] * INTEGRALS[:-1])
     solved = np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
     of_start, of_rest = solved[..., 0], solved[..., 1]
     grows, gains = mesh.width * (of_start @ INTEGRALS[-1]), mesh.width * (of_rest @ INTEGRALS[-1])
-    over, past = (np.roll(each, -1).tolist() for each in _over_jumps(now, mesh, base))
+    over, past = (np.roll(each, -1, axis=-1) for each in _over_jumps(now, mesh, base))
+    # piece and jump in turn
+    grow, gain = (np.stack(pair, axis=-1).reshape(len(base), -1).tolist() for pair in ((grows, over), (gains, past)))
+    starts, growth = zip(*map(_repeated, grow, gain), strict=True)
+    at_start = np.array(starts)
+    slopes = of_start * at_start[..., np.newaxis] + of_rest
+    found = at_start[..., np.newaxis] + width * (slopes @ INTEGRALS[:-1].T)
+    return _LinearCycle(found.reshape(slope.shape), at_start, slopes.reshape(slope.shape), 1 + np.array(growth))
+
+
+def _repeated(grow: list[float], gain: list[float]) -> tuple[list[float], float]:
+    """Where y is when pieces begin of a cycle that repeats itself, pieces and jumps in turn; the cycle's growth."""
     growth, total = 0.0, 0.0  # of the cycle so far: its factor less 1, which of a heavy machine is next to nothing
-    steps = [
-        pair
-        for piece, jump in zip(
-            zip(grows.tolist(), gains.tolist(), strict=True), zip(over, past, strict=True), strict=True
-        )
-        for pair in (piece, jump)
-    ]
-    for grow, gain in steps:
-        growth, total = growth + (grow + growth * grow), total + (total * grow + gain)
+    for own, more in zip(grow, gain, strict=True):
+        growth, total = growth + (own + growth * own), total + (total * own + more)
     ends = [-total / growth if growth else np.nan]
-    for grow, gain in steps[:-2]:
-        ends.append(ends[-1] + (ends[-1] * grow + gain))
-    at_start = np.array(ends[::2])
-    slopes = of_start * at_start[:, np.newaxis] + of_rest
-    found = at_start[:, np.newaxis] + width * (slopes @ INTEGRALS[:-1].T)
-    return np.ravel(found), at_start, np.ravel(slopes), 1 + growth
+    for own, more in zip(grow[:-2], gain[:-2], strict=True):
+        ends.append(ends[-1] + (ends[-1] * own + more))
+    return ends[::2], growth
 
 
-def _over_jumps(now: Array, mesh: CyclePieces, base: float) -> tuple[Array, Array]:
+def _over_jumps(now: Array, mesh: CyclePieces, base: Array) -> tuple[Array, Array]:
     """What a jump of the law before each piece makes of y: y + (y · over + past); nothing where there is none.
 
     The pieces meet at an angle that is near the one at which the jump is passed: each is prolonged to there.
     """
-    ends = now.reshape(-1, N_NODES) @ _TO_ENDS.T
-    before, low, high = (np.roll(each, 1) for each in (ends[:, 1], mesh.low, mesh.high))
+    ends = now.reshape(*mesh.width.shape, N_NODES) @ _TO_ENDS.T
+    before, low, high = (np.roll(each, 1, axis=-1) for each in (ends[..., 1], mesh.low, mesh.high))
     level = np.where(mesh.low >= high, mesh.low, np.where(mesh.high <= low, mesh.high, np.nan))
     with np.errstate(divide="ignore", invalid="ignore"):
-        factor = ends[:, 0] / before
+        factor = ends[..., 0] / before
     is_passed = np.isfinite(level) & np.isfinite(factor) & (factor > 0)
     over = np.where(is_passed, factor - 1, 0.0)
     return over, np.where(is_passed, -over * (level - base), 0.0)

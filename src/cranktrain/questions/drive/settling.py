@@ -1,15 +1,19 @@
 """Steady running on pieces that end where anything jumps or has a corner, found from the running itself."""
 
+from collections.abc import Iterator, Sequence
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from cranktrain.grouping import grouped
 from cranktrain.motion import Array
-from cranktrain.questions.drive.balanced_speed import balance
-from cranktrain.questions.drive.cycle_equation import speed_over_turn
+from cranktrain.questions.drive.balanced_speed import balances
+from cranktrain.questions.drive.cycle_equation import speed_over_turn, speeds_over_turn
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, passings
-from cranktrain.questions.drive.steady_turn import DriveInTurn
-from cranktrain.questions.reduction.cycle_pieces import NODES, CyclePieces, mesh_of, to_integrals, to_places
+from cranktrain.questions.drive.steady_turn import DriveInTurn, together
+from cranktrain.questions.reduction.cycle_pieces import NODES, CyclePieces, mesh_of, pieces_together, to_integrals, to_places
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 
@@ -33,6 +37,11 @@ _ASIDE = 1e-9
 """In parts of a speed: how far aside a law that jumps there is asked."""
 _JUMP = 1e-6
 """Of the torque: less across a corner is no jump."""
+_NOWHERE = np.empty(0)
+_AT_ONCE = 16
+"""Designs that are computed together: the curves of more are too long to be kept near."""
+_STEPS_TOGETHER = 8
+"""Of Newton's method: what takes more of them is sought alone."""
 
 
 class _Levels(NamedTuple):
@@ -45,14 +54,28 @@ class _Levels(NamedTuple):
 def settled(
     turning: DriveInTurn, machines: ReducedMachines, held: float | None = None
 ) -> tuple[DriveInTurn, SpeedOverTurn | None]:
-    """Steady cycle on pieces that end at all corners: of loads, of losses, of the motor's law; with the drive there.
+    """Steady cycle of one design: as `all_settled`."""
+    (found,) = all_settled([turning], machines, [held])
+    return found
+
+
+def all_settled(
+    each: Sequence[DriveInTurn], machines: ReducedMachines, held: Sequence[float | None]
+) -> list[tuple[DriveInTurn, SpeedOverTurn | None]]:
+    """Steady cycles on pieces that end at all corners: of loads, of losses, of the motor's law; with the drives there.
 
     Parameters
     ----------
-    turning : DriveInTurn
+    each : sequence of DriveInTurn
+        Designs with motors of one law.
     machines : ReducedMachines
-    held : float, optional
-        Speed of the crank that a servo motor holds. [rad/s]
+    held : sequence of float or None
+        Speeds of the crank that servo motors hold. [rad/s]
+
+    Returns
+    -------
+    list of (DriveInTurn, SpeedOverTurn or None)
+        Of each design, to the last bit as alone.
 
     Notes
     -----
@@ -60,41 +83,126 @@ def settled(
     certain torques and speeds: found from it, and it anew with them, until they stand. Pieces on which the equation
     of motion is missed between the nodes are cut.
     """
-    corners = machines.corners[turning.design]
-    mesh = mesh_of(machines.cycle, corners)
-    turning = turning.at(mesh.nodes)
-    if turning.is_held:
-        return turning, None if held is None else _constant(mesh, held)
-    first, levels = balance(turning, machines.cycle).speed, _levels(turning)
-    found = None if first is None else _cycle(turning, mesh, first) or _from_heavier(turning, mesh, first)
-    kinks, passed, cuts, n_with_kinks = np.empty(0), np.empty(0), np.empty(0), 0
+    ways = [_Way(one, mesh_of(machines.cycle, machines.corners[one.design])) for one in each]
+    for way, speed in zip(ways, held, strict=True):
+        if way.turning.is_held:
+            way.turning = way.turning.at(way.mesh.nodes)
+            way.found = None if speed is None else _constant(way.mesh, speed)
+    going = [way for way in ways if not way.turning.is_held]
+    for alike in _alike(going):
+        _begin(alike, machines)
     for _again in range(_MOST_MESHES):
-        if found is None:
-            break
-        before, kinks, passed = (kinks, passed), _kinks(turning, found), passings(found, levels.corners)
-        are_kinks_known = n_with_kinks >= _MOST_FOR_KINKS or _stand(before[0], kinks, machines.cycle, _SAME_KINK)
-        if are_kinks_known and _stand(before[1], passed, machines.cycle, _SAME):
-            more = _cuts(turning, found)
-            if more.size == 0 or mesh.start.size + more.size > _MOST_PIECES:
-                break
-            cuts, n_with_kinks = np.concatenate([cuts, more]), 0
-        mesh, n_with_kinks = mesh_of(machines.cycle, np.concatenate([corners, kinks, passed, cuts])), n_with_kinks + 1
-        mesh = mesh.between(levels.jumps, 0.5 * found.at(mesh.at(np.array([0.5]))) ** 2)
-        turning = turning.at(mesh.nodes)
-        found = _cycle(turning, mesh, found.at(mesh.nodes))
-    return turning, found
+        going = [way for way in going if way.found is not None]
+        going = [way for alike in _alike(going) for way in _with_other_meshes(alike, machines)]
+        for alike in _alike(going):
+            _turn(alike)
+            first = [way.found.at(way.mesh.nodes) for way in alike if way.found is not None]
+            _find(alike, first)
+    return [(way.turning, way.found) for way in ways]
 
 
-def missed_motion(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
+class _Way:
+    """A design on the way to its steady cycle: corners that its running has, and cuts of its pieces. [rad]"""
+
+    def __init__(self, turning: DriveInTurn, mesh: CyclePieces) -> None:
+        self.turning, self.mesh = turning, mesh
+        self.found: SpeedOverTurn | None = None
+        self.levels = _Levels(_NOWHERE, _NOWHERE)
+        self.kinks, self.passed, self.cuts = _NOWHERE, _NOWHERE, _NOWHERE
+        self.n_with_kinks = 0
+
+
+def _alike(ways: Sequence[_Way]) -> Iterator[list[_Way]]:
+    """Designs that can stand together, on as many pieces each: some at a time, as many as a processor holds near."""
+    for own in grouped(((way.mesh.start.size, way.turning.structure), way) for way in ways).values():
+        yield from (own[first : first + _AT_ONCE] for first in range(0, len(own), _AT_ONCE))
+
+
+def _turn(alike: Sequence[_Way]) -> None:
+    """Put machines to the nodes of their meshes."""
+    angle = np.stack([way.mesh.nodes for way in alike])
+    here = together([way.turning for way in alike]).at(angle).here
+    for design, way in enumerate(alike):
+        way.turning = way.turning._replace(here=here.changed(itemgetter(design)))
+
+
+def _begin(alike: Sequence[_Way], machines: ReducedMachines) -> None:
+    """Find cycles on the meshes of the loads alone, from constant speeds on."""
+    _turn(alike)
+    speeds = [one.speed for one in balances([way.turning for way in alike], machines.cycle)]
+    begun = [(way, speed) for way, speed in zip(alike, speeds, strict=True) if speed is not None]
+    if begun:
+        ways = [way for way, _speed in begun]
+        _find(ways, [np.full(way.mesh.nodes.shape, speed) for way, speed in begun])
+    for way, speed in begun:
+        way.levels = _levels(way.turning)
+        way.found = way.found or _from_heavier(way.turning, way.mesh, speed)
+
+
+def _find(alike: Sequence[_Way], first: Sequence[Array]) -> None:
+    """Find cycles near given speeds at the nodes; those that take many steps by themselves."""
+    turning, mesh = together([way.turning for way in alike]), pieces_together([way.mesh for way in alike])
+    most_steps = {} if len(alike) == 1 else {"most_steps": _STEPS_TOGETHER}
+    sought = speeds_over_turn(lambda speed: turning.passed(speed).acceleration, mesh, np.stack(first), **most_steps)
+    for way, own, speed in zip(alike, sought, first, strict=True):
+        way.found = own.cycle if own.is_over else _cycle(way.turning, way.mesh, speed)
+
+
+def _with_other_meshes(alike: Sequence[_Way], machines: ReducedMachines) -> list[_Way]:
+    """Those whose corners do not stand yet, or whose pieces are cut, each on its next mesh."""
+    found = [way.found for way in alike if way.found is not None]
+    turning = together([way.turning for way in alike])
+    outputs = turning.passed(np.stack([one.speed for one in found])).outputs
+    unsettled, standing = list[_Way](), list[_Way]()
+    for way, own, passed_on in zip(alike, found, np.moveaxis(outputs, 1, 0), strict=True):
+        before = way.kinks, way.passed
+        way.kinks, way.passed = _kinks(passed_on, own), passings(own, way.levels.corners)
+        are_kinks_known = way.n_with_kinks >= _MOST_FOR_KINKS or _stand(
+            before[0], way.kinks, machines.cycle, _SAME_KINK
+        )
+        stands = are_kinks_known and _stand(before[1], way.passed, machines.cycle, _SAME)
+        (standing if stands else unsettled).append(way)
+    unsettled += _cut(standing)
+    for way in unsettled:
+        if way.found is None:
+            continue
+        corners = machines.corners[way.turning.design]
+        way.mesh = mesh_of(machines.cycle, np.concatenate([corners, way.kinks, way.passed, way.cuts]))
+        way.n_with_kinks += 1
+        middle = way.found.at(way.mesh.at(np.array([0.5])))
+        way.mesh = way.mesh.between(way.levels.jumps, 0.5 * middle**2)
+    return unsettled
+
+
+def _cut(standing: Sequence[_Way]) -> list[_Way]:
+    """Those of which pieces are cut, as the equation of motion is missed there."""
+    if not standing:
+        return []
+    found = [way.found for way in standing if way.found is not None]
+    missed = missed_motion([way.turning for way in standing], found)
+    more = [_cuts(own, is_missed) for own, is_missed in zip(found, missed > _CLOSE, strict=True)]
+    cut = [
+        (way, own)
+        for way, own in zip(standing, more, strict=True)
+        if 0 < own.size <= _MOST_PIECES - way.mesh.start.size
+    ]
+    for way, own in cut:
+        way.cuts, way.n_with_kinks = np.concatenate([way.cuts, own]), 0
+    return [way for way, _own in cut]
+
+
+def missed_motion(turning: Sequence[DriveInTurn], found: Sequence[SpeedOverTurn]) -> Array:
     """What is left over of the equation of motion between the nodes of each piece, of the largest torque. [1]
 
-    docs/theory/reduced-machine, eq. (31.6).
+    Of designs of one structure with as many pieces each, shape (design, piece). docs/theory/reduced-machine, eq. (31.6).
     """
-    there = turning.at(found.mesh.at(_BETWEEN))
-    speed = np.sqrt(2 * (found.base + np.ravel(found.grown(_TO_BETWEEN))))
-    acceleration = np.ravel(found.acceleration.reshape(-1, NODES.size) @ _SLOPE_BETWEEN.T)
-    left = np.abs(there.left_over(speed, acceleration)).reshape(-1, _BETWEEN.size)
-    return np.max(left, axis=1) / turning.torque_size(found.speed)
+    at_nodes = together(turning)
+    there = at_nodes.at(np.stack([one.mesh.at(_BETWEEN) for one in found]))
+    speed = np.stack([np.sqrt(2 * (one.base + np.ravel(one.grown(_TO_BETWEEN)))) for one in found])
+    slopes = [np.ravel(one.acceleration.reshape(-1, NODES.size) @ _SLOPE_BETWEEN.T) for one in found]
+    left = np.abs(there.left_over(speed, np.stack(slopes))).reshape(len(found), -1, _BETWEEN.size)
+    largest = at_nodes.torque_size(np.stack([one.speed for one in found]))
+    return np.max(left, axis=-1) / largest[:, np.newaxis]
 
 
 def _levels(turning: DriveInTurn) -> _Levels:
@@ -115,9 +223,8 @@ def _stand(before: Array, now: Array, cycle: float, same: float) -> bool:
     return bool(np.all(np.minimum(apart, cycle - apart) < same))
 
 
-def _cuts(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
+def _cuts(found: SpeedOverTurn, is_missed: NDArray[np.bool_]) -> Array:
     """Crank angles at which pieces are cut on which too much is left over. [rad]"""
-    is_missed = missed_motion(turning, found) > _CLOSE
     start, width = found.mesh.start[is_missed], found.mesh.width[is_missed]
     return np.ravel(start[:, np.newaxis] + width[:, np.newaxis] * np.arange(1, _PARTS) / _PARTS)
 
@@ -147,9 +254,9 @@ def _from_heavier(turning: DriveInTurn, mesh: CyclePieces, first: float) -> Spee
     return found
 
 
-def _kinks(turning: DriveInTurn, found: SpeedOverTurn) -> Array:
-    """Crank angles at which a stage's torque changes its sign: there the losses have a kink. [rad]"""
-    outputs, nodes = turning.passed(found.speed).outputs, found.mesh.nodes
+def _kinks(outputs: Array, found: SpeedOverTurn) -> Array:
+    """Crank angles at which a stage's torque changes its sign, (stage, n): there the losses have a kink. [rad]"""
+    nodes = found.mesh.nodes
     row, place = np.nonzero(np.sign(outputs[:, :-1]) * np.sign(outputs[:, 1:]) < 0)
     low, high = outputs[row, place], outputs[row, place + 1]
     return nodes[place] + (nodes[place + 1] - nodes[place]) * low / (low - high)

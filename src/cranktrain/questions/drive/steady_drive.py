@@ -12,8 +12,8 @@ from cranktrain.layout.speed import Speed
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
 from cranktrain.motors.declared import beyond_measured
-from cranktrain.questions.drive.balanced_speed import balance
-from cranktrain.questions.drive.settling import missed_motion, settled
+from cranktrain.questions.drive.balanced_speed import balances
+from cranktrain.questions.drive.settling import all_settled, missed_motion
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, speed_range
 from cranktrain.questions.drive.steady_turn import DriveInTurn
 from cranktrain.questions.reduction.gear_train import lost_torque
@@ -122,14 +122,11 @@ def steady_cycles(
     docs/theory/reduced-machine, eqs. (31.6) to (31.8).
     """
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
-    each = [
-        settled(
-            DriveInTurn(machines.each[design], motor.of_design(design), design, gearing, is_held=motor.is_free(design)),
-            machines,
-            held[design] if held[design] > 0 else None,
-        )
+    drives = [
+        DriveInTurn(machines.each[design], motor.of_design(design), design, gearing, is_held=motor.is_free(design))
         for design, gearing in enumerate(drive.gearings)
     ]
+    each = all_settled(drives, machines, [speed if speed > 0 else None for speed in held.tolist()])
     return SteadyCycles(tuple(turning for turning, _found in each), tuple(found for _turning, found in each), held)
 
 
@@ -190,7 +187,7 @@ def _of_design(turning: DriveInTurn, found: SpeedOverTurn | None, cycle: float, 
             (_no_cycle(turning, cycle),),
         )
     curves = np.stack(_curves(turning.at(angle), found.at(angle)))
-    missed = float(np.max(missed_motion(turning, found)))
+    missed = float(np.max(missed_motion([turning], [found])))
     energy, flags = _residual(turning, found), tuple(_flags(turning, found, held))
     return _Found(found, curves, _facts(turning, found), energy, missed, flags)
 
@@ -234,7 +231,7 @@ def _residual(turning: DriveInTurn, found: SpeedOverTurn) -> float:
     torque = turning.motor_torque(speed) * overall_ratio(turning.gearing)
     parts = np.stack([torque, turning.here.by_load(speed), lost_torque(turning.passed(speed).outputs, turning.gearing)])
     motor, load, lost = found.mesh.mean(parts).tolist()
-    largest = max(float(np.max(found.mesh.mean(np.abs(parts)))), turning.least_torque(speed, _SLIP))
+    largest = max(float(np.max(found.mesh.mean(np.abs(parts)))), float(turning.least_torque(speed, _SLIP)))
     return abs(motor - load - lost) / largest if largest > 0 else 0.0  # nothing acts and nothing has inertia
 
 
@@ -249,7 +246,7 @@ def _no_cycle(turning: DriveInTurn, cycle: float) -> Words:
             "No steady running: the gearing jams. It cannot be driven back (as below an efficiency of 50 %), and no one"
             " acceleration fits its losses; a better efficiency, or more inertia at the motor, helps."
         )
-    found = balance(turning, cycle)
+    (found,) = balances([turning], cycle)
     if np.all(found.excess < 0):
         return _(
             "No steady running: the motor cannot carry the machine through the cycle; at every constant speed it gives"

@@ -1,14 +1,22 @@
 """A machine, its motor and its gearing as they turn forward."""
 
+from collections.abc import Hashable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.motion import ONE, Array
 from cranktrain.motors import DeclaredMotor
+from cranktrain.motors.declared import motors_together
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_turn
-from cranktrain.questions.reduction.at_angles import ReducedAt, reduced_at
-from cranktrain.questions.reduction.gear_train import Passed, through_stages, torque_through
+from cranktrain.questions.reduction.at_angles import (
+    ReducedAt,
+    machines_together,
+    reduced_at,
+    reduced_together,
+    structure_of,
+)
+from cranktrain.questions.reduction.gear_train import Passed, gearings_together, through_stages, torque_through
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
 from cranktrain.transient.reduced import ReducedMachine
 
@@ -23,7 +31,8 @@ class DriveInTurn(NamedTuple):
     """One design's machine, motor and gearing, as it turns forward; `here` is the machine at some crank angles.
 
     The motor is that of this design alone; `design` is its place among all. `is_held`: a servo motor holds the speed
-    that is declared, and gives what torque that takes.
+    that is declared, and gives what torque that takes. Of designs `together` angles, speeds and torques have the shape
+    (design, n).
     """
 
     machine: ReducedMachine
@@ -38,7 +47,7 @@ class DriveInTurn(NamedTuple):
         if self.is_held:
             return torque_through(self.here.taken(speed), ONE, self.gearing)[0]
         at_motor = speed * overall_ratio(self.gearing)
-        return self.motor.torque(at_motor[np.newaxis])[0]
+        return self.motor.torque(np.atleast_2d(at_motor)).reshape(at_motor.shape)
 
     def largest_torque(self, found: SpeedOverTurn, sign: float = 1.0) -> float:
         """Largest torque of the motor over a cycle; of the other sign the smallest, by amount below 0. [N·m]"""
@@ -65,13 +74,14 @@ class DriveInTurn(NamedTuple):
         whole = self.here.inertia + turning_inertia(self.gearing)
         return whole * (acceleration - self.passed(speed).acceleration)
 
-    def torque_size(self, speed: Array) -> float:
-        """Largest of the torques that the equation of motion is made of, by amount, at the crank. [N·m]"""
+    def torque_size(self, speed: Array) -> Array:
+        """Largest of the torques that the equation of motion is made of, by amount, at the crank, (n,) → (). [N·m]"""
         driving, loading = self.motor_torque(speed) * overall_ratio(self.gearing), self.here.by_load(speed)
-        largest = float(np.max(np.abs([driving, loading, self.here.taken(speed) - loading])))
-        return max(largest, self.least_torque(speed))
+        largest = _largest(driving, loading, self.here.taken(speed) - loading)
+        least = self.least_torque(speed)
+        return np.where(least > largest, least, largest)
 
-    def least_torque(self, speed: Array, slip: float = _ALIKE) -> float:
+    def least_torque(self, speed: Array, slip: float = _ALIKE) -> Array:
         """What counts as a torque at the crank: less is a difference of speeds or energies as good as one. [N·m]
 
         What the motor gives for a part of the speed, and a millionth of the energy of all that turns, for 1 rad.
@@ -79,8 +89,33 @@ class DriveInTurn(NamedTuple):
         ratio = overall_ratio(self.gearing)
         by_speed = ratio * (self.motor_torque(speed * (1.0 - slip)) - self.motor_torque(speed))
         by_energy = _ALIKE * (self.here.inertia + turning_inertia(self.gearing)) * speed * speed / 2
-        return float(np.max(np.abs([by_speed, by_energy])))
+        return _largest(by_speed, by_energy)
 
     def at(self, angle: Array) -> "DriveInTurn":
         """The same at other crank angles, shape (n,). [rad]"""
         return self._replace(here=reduced_at(self.machine, angle))
+
+    @property
+    def structure(self) -> Hashable:
+        """What designs have in common that can stand together, of motors of one law."""
+        is_reversible = bool(np.all(self.gearing.backward > 0))
+        return structure_of(self.machine), len(self.gearing.ratio), is_reversible, self.is_held
+
+
+def together(each: Sequence[DriveInTurn]) -> DriveInTurn:
+    """Designs of one `structure` as one, each at as many angles.
+
+    Every number of a design is to the last bit as that of the design alone.
+    """
+    first = each[0]
+    return first._replace(
+        machine=machines_together([one.machine for one in each]),
+        motor=motors_together([one.motor for one in each]),
+        gearing=gearings_together([one.gearing for one in each]),
+        here=reduced_together([one.here for one in each]),
+    )
+
+
+def _largest(*torques: Array) -> Array:
+    """Largest of some torques by amount, each of shape (..., n) → (...)."""
+    return np.max(np.abs(np.stack(torques, axis=-2)), axis=(-2, -1))

@@ -1,9 +1,10 @@
 """A reduced machine at many crank angles at once, as it turns forward through its cycle."""
 
-from collections.abc import Callable
-from typing import NamedTuple, TypeAlias
+from collections.abc import Callable, Hashable, Iterator, Sequence
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.numerics.products import product
@@ -42,7 +43,7 @@ from cranktrain.transient.reduced import (
 )
 
 _Coefficient: TypeAlias = Callable[[float], Array]
-"""A coefficient by its place, at the angles that are asked for, shape (n,)."""
+"""A coefficient by its place, at the angles that are asked for, of their shape."""
 
 
 _ORDERS = np.arange(1.0, DEGREE + 1)
@@ -52,7 +53,7 @@ _LOOKED = np.vander(_PLACES, DEGREE + 1, increasing=True)
 
 
 class ReducedAt(NamedTuple):
-    """What the equation of motion asks of a machine at some crank angles, each of shape (n,).
+    """What the equation of motion asks of a machine at some crank angles, each of shape (n,), of designs (design, n).
 
     Attributes
     ----------
@@ -80,38 +81,90 @@ class ReducedAt(NamedTuple):
         """Torque that the load takes at the crank, at speeds of the crank, shape (n,). [N·m]"""
         return sum((one.torque(speed) for one in self.powers), self.load + 0.0 * speed)
 
+    def changed(self, change: Callable[[Array], Array]) -> "ReducedAt":
+        """The same with every array changed."""
+        powers = tuple(Power(change(one.coefficient), one.exponent) for one in self.powers)
+        return ReducedAt(change(self.inertia), change(self.slope), change(self.load), powers, change(self.output))
+
+
+def reduced_together(each: Sequence[ReducedAt]) -> ReducedAt:
+    """Of designs of machines that are alike, at as many angles each: arrays of shape (design, n)."""
+    powers = zip(*(one.powers for one in each), strict=True)
+    coefficients = [Power(np.stack([one.coefficient for one in own]), own[0].exponent) for own in powers]
+    inertia, slope, load, output = (
+        np.stack([getattr(one, name) for one in each]) for name in ("inertia", "slope", "load", "output")
+    )
+    return ReducedAt(inertia, slope, load, tuple(coefficients), output)
+
+
+def machines_together(each: Sequence[ReducedMachine]) -> ReducedMachine:
+    """Machines of designs that are alike as one, whose arrays have the design as their first axis."""
+    return ReducedMachine(*(np.stack(parts) for parts in zip(*each, strict=True)))
+
+
+def structure_of(machine: ReducedMachine) -> Hashable:
+    """What machines have in common that can stand together: all but sizes of loads and pressures of chambers."""
+    loads, chambers = np.asarray(machine.loads), np.asarray(machine.chambers)
+    shapes = [np.shape(part) for part in machine]
+    return *shapes, loads[:, _ALIKE_IN_LOADS].tobytes(), chambers[:, _ALIKE_IN_CHAMBERS].tobytes()
+
 
 def reduced_at(machine: ReducedMachine, angle: Array) -> ReducedAt:
-    """A machine that turns forward, at crank angles, shape (n,) [rad], in its steady state.
+    """A machine that turns forward, at crank angles in its steady state; or machines of designs that stand together.
 
+    Parameters
+    ----------
+    machine : ReducedMachine
+        Or as `machines_together` gives it.
+    angle : Array, shape (n,), or of designs (design, n)
+        [rad]
+
+    Notes
+    -----
     docs/theory/reduced-machine, eqs. (31.1) to (31.5).
     """
-    turns = angle / TURN
-    along = (turns - np.floor(turns)) * len(machine.pieces)
-    piece = np.minimum(along.astype(np.intp), len(machine.pieces) - 1)
-    pieces, powers_of_place = _apart(machine), np.vander(2 * (along - piece) - 1, DEGREE + 1, increasing=True)
-    by_angle = len(machine.pieces) / np.pi
+    turns, (n_pieces, width) = angle / TURN, np.shape(machine.pieces)[-2:]
+    along = (turns - np.floor(turns)) * n_pieces
+    piece = np.minimum(along.astype(np.intp), n_pieces - 1)
+    powers_of_place = np.vander(np.ravel(2 * (along - piece) - 1), DEGREE + 1, increasing=True)
+    by_angle = n_pieces / np.pi
+    of_all = np.asarray(machine.pieces).reshape(-1, width // (DEGREE + 1), DEGREE + 1)
+    own = np.ravel(piece if angle.ndim == 1 else piece + n_pieces * np.arange(len(angle))[:, np.newaxis])
 
     def value(which: float) -> Array:
-        return np.einsum("nk,nk->n", pieces[piece, int(which)], powers_of_place)
+        return np.einsum("nk,nk->n", of_all[own, int(which)], powers_of_place).reshape(angle.shape)
 
     def slope(which: float) -> Array:
-        own = pieces[piece, int(which), 1:]
-        return np.einsum("nk,nk,k->n", own, powers_of_place[:, :-1], _ORDERS) * by_angle
+        of_place = powers_of_place[:, :-1]
+        found = np.einsum("nk,nk,k->n", of_all[own, int(which), 1:], of_place, _ORDERS) * by_angle
+        return found.reshape(angle.shape)
 
     load, powers = value(WEIGHT), list[Power]()
-    for row in np.asarray(machine.loads).tolist():
-        rate = np.full(angle.shape, row[COUNTS]) if row[RATE] < 0 else value(row[RATE])
-        rate = np.sqrt(np.maximum(rate, 0.0)) if row[IS_SQUARED] > 0 else rate
-        taken = np.abs(rate) if row[RESISTS] > 0 else -rate
-        size = _size(machine, row, rate, value, angle)
-        if row[EXPONENT] != 0:
-            powers.append(Power(taken * size * (np.abs(rate) / row[AT]) ** row[EXPONENT], row[EXPONENT]))
+    for alike, row in _rows(machine.loads):
+        rate = np.full(angle.shape, row[COUNTS]) if alike[RATE] < 0 else value(alike[RATE])
+        rate = np.sqrt(np.maximum(rate, 0.0)) if alike[IS_SQUARED] > 0 else rate
+        taken = np.abs(rate) if alike[RESISTS] > 0 else -rate
+        size = _size(machine, alike, row, rate, value, angle)
+        if alike[EXPONENT] != 0:
+            powers.append(Power(taken * size * (np.abs(rate) / row[AT]) ** alike[EXPONENT], alike[EXPONENT]))
         else:
             load = load + taken * size
-    for chamber, pressure in zip(machine.chambers, _steady_pressures(machine, value, slope), strict=True):
-        load = load - (pressure - chamber[AMBIENT]) * slope(chamber[VOLUME])
+    for alike, chamber in _rows(machine.chambers):
+        pressure = _steady_pressure(alike, chamber, value, slope)
+        load = load - (pressure - chamber[AMBIENT]) * slope(alike[VOLUME])
     return ReducedAt(value(INERTIA), slope(INERTIA), load, tuple(powers), value(OUTPUT))
+
+
+_ALIKE_IN_LOADS = [LAW, RATE, PLACE, IS_SQUARED, RESISTS, EXPONENT, FIRST, N_POINTS]
+_ALIKE_IN_CHAMBERS = [VOLUME, COMPRESSION, EXPANSION]
+"""Numbers that say which formula is meant, or are its exponents."""
+
+
+def _rows(table: Any) -> Iterator[tuple[list[float], list[Any]]]:
+    """Rows of a table: numbers that all designs have in common, and the own ones of each, shape (design, 1)."""
+    for row in np.moveaxis(np.asarray(table), -2, 0):
+        alike: list[float] = row.reshape(-1, row.shape[-1])[0].tolist()
+        yield alike, alike if row.ndim == 1 else list(row.T[..., np.newaxis])
 
 
 def has_inertia(machine: ReducedMachine, turning: float) -> bool:
@@ -125,21 +178,30 @@ def _apart(machine: ReducedMachine) -> Array:
 
 
 def _size(
-    machine: ReducedMachine, row: list[float], rate: Array, value: Callable[[float], Array], angle: Array
+    machine: ReducedMachine, alike: list[float], row: list[Any], rate: Array, value: _Coefficient, angle: Array
 ) -> Array:
     """Size of a load; of one that goes with a power of the speed where that is its own."""
-    if row[LAW] == BY_SPEED:
+    law = alike[LAW]
+    if law == BY_SPEED:
         return np.full(angle.shape, row[SIZE])
-    rows = slice(int(row[FIRST]), int(row[FIRST] + row[N_POINTS]))
-    shown = np.mod(angle - row[ORIGIN], row[PERIOD])
-    if row[LAW] == BY_CURVE:
-        return _on_curve(np.asarray(machine.curves, dtype=np.float64)[rows], shown)
-    points: Array = np.asarray(machine.points, dtype=np.float64)[rows]
-    at, out, back = points[:, 0], points[:, 1], points[:, 2]
-    if row[LAW] == BY_ANGLE:
-        return np.interp(shown, at, out)
-    travel = row[COUNTS] * value(row[PLACE]) - row[ORIGIN]
-    return np.where(row[COUNTS] * rate >= 0, np.interp(travel, at, out), np.interp(travel, at, back))
+    own = slice(int(alike[FIRST]), int(alike[FIRST] + alike[N_POINTS]))
+    points = np.asarray(machine.curves if law == BY_CURVE else machine.points, dtype=np.float64)[..., own, :]
+    if law in {BY_ANGLE, BY_CURVE}:
+        at = np.mod(angle - row[ORIGIN], row[PERIOD])
+    else:
+        at = row[COUNTS] * value(alike[PLACE]) - row[ORIGIN]
+    is_forth = row[COUNTS] * rate >= 0
+    if angle.ndim == 1:
+        return _along(law, points, at, is_forth)
+    return np.stack([_along(law, *one) for one in zip(points, at, is_forth, strict=True)])
+
+
+def _along(law: float, points: Array, at: Array, is_forth: NDArray[np.bool_]) -> Array:
+    """Size of a load of one design by its points, or the pieces of its curve, at angles or places on its way."""
+    if law == BY_CURVE:
+        return _on_curve(points, at)
+    forth = np.interp(at, points[:, 0], points[:, 1])
+    return forth if law == BY_ANGLE else np.where(is_forth, forth, np.interp(at, points[:, 0], points[:, 2]))
 
 
 def _on_curve(curve: Array, angle: Array) -> Array:
@@ -149,22 +211,19 @@ def _on_curve(curve: Array, angle: Array) -> Array:
     return np.einsum("nk,nk->n", own[:, 2:], np.vander(x, DEGREE + 1, increasing=True))
 
 
-def _steady_pressures(machine: ReducedMachine, value: _Coefficient, slope: _Coefficient) -> list[Array]:
-    """Pressure in each chamber in the steady state, as it turns forward, shape of the asked angles. [Pa]
+def _steady_pressure(alike: list[float], chamber: list[Any], value: _Coefficient, slope: _Coefficient) -> Array:
+    """Pressure in a chamber in the steady state, as it turns forward, shape of the asked angles. [Pa]
 
     Compression from the largest volume on, re-expansion from the smallest; what reaches no discharge goes back along
     the same line.
     """
-    found: list[Array] = []
-    for chamber in np.asarray(machine.chambers).tolist():
-        largest, smallest = chamber[LARGEST], chamber[SMALLEST]
-        volume, shrinks = value(chamber[VOLUME]), slope(chamber[VOLUME]) < 0
-        pressed: Array = chamber[SUCTION] * (largest / volume) ** chamber[COMPRESSION]
-        delivers = chamber[SUCTION] * (largest / smallest) ** chamber[COMPRESSION] > chamber[DISCHARGE]
-        spread: Array = chamber[DISCHARGE] * (smallest / volume) ** chamber[EXPANSION] if delivers else pressed
-        pressures: tuple[Array, Array] = (np.minimum(pressed, chamber[DISCHARGE]), np.maximum(spread, chamber[SUCTION]))
-        found.append(np.where(shrinks, *pressures))
-    return found
+    suction, discharge, largest, smallest = (chamber[which] for which in (SUCTION, DISCHARGE, LARGEST, SMALLEST))
+    compression, expansion = alike[COMPRESSION], alike[EXPANSION]
+    volume, shrinks = value(alike[VOLUME]), slope(alike[VOLUME]) < 0
+    pressed: Array = suction * (largest / volume) ** compression
+    delivers = suction * np.atleast_1d(largest / smallest) ** compression > discharge
+    spread = np.where(delivers, discharge * (smallest / volume) ** expansion, pressed)
+    return np.where(shrinks, np.minimum(pressed, discharge), np.maximum(spread, suction))
 
 
 def extremes_over_turn(pieces: Array) -> tuple[float, float]:

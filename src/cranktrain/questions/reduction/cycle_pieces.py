@@ -1,5 +1,6 @@
 """Pieces of a cycle: Gauss's points on each, and the series of what is known there."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -43,7 +44,7 @@ def to_places(places: Array) -> Array:
 
 
 class CyclePieces(NamedTuple):
-    """Pieces of a cycle between its corners.
+    """Pieces of a cycle between its corners; of designs with as many pieces every array begins with the design.
 
     Attributes
     ----------
@@ -65,20 +66,21 @@ class CyclePieces(NamedTuple):
 
     def at(self, places: Array) -> Array:
         """Angles at places 0…1 of every piece, shape (place,) → (piece · place,). [rad]"""
-        return np.ravel(self.start[:, np.newaxis] + self.width[:, np.newaxis] * places)
+        each = self.start[..., np.newaxis] + self.width[..., np.newaxis] * places
+        return each.reshape(*self.start.shape[:-1], -1)
 
     def mean(self, values: Array) -> Array:
         """Mean over the angle of values at the nodes, shape (..., piece · node) → (...)."""
-        return np.sum(self.of_each(values), axis=-1) / np.sum(self.width)
+        return np.sum(self.of_each(values), axis=-1) / np.sum(self.width, axis=-1)
 
     def of_each(self, values: Array) -> Array:
         """Integral over each piece of values at the nodes, shape (..., piece · node) → (..., piece)."""
-        return values.reshape(*values.shape[:-1], len(self.start), N_NODES) @ INTEGRALS[-1] * self.width
+        return values.reshape(*values.shape[:-1], -1, N_NODES) @ INTEGRALS[-1] * self.width
 
     def within(self, half_square: Array) -> Array:
         """Values of ω²/2 at the nodes, shape (piece · node,), held on their piece's side of a jump."""
         low, high = self.low * (1 + _BESIDE), self.high * (1 - _BESIDE)
-        return np.clip(half_square, np.repeat(low, N_NODES), np.repeat(high, N_NODES))
+        return np.clip(half_square, np.repeat(low, N_NODES, axis=-1), np.repeat(high, N_NODES, axis=-1))
 
     def between(self, levels: Array, half_square: Array) -> "CyclePieces":
         """The same, each piece between those levels of ω²/2 at which the law jumps that its own value is between.
@@ -93,6 +95,11 @@ class CyclePieces(NamedTuple):
         # no more than the last, as of a value that is not known where the shaft nearly stands
         place = np.minimum(np.searchsorted(bounds, half_square, side="right"), bounds.size - 1)
         return self._replace(low=bounds[place - 1], high=bounds[place])
+
+
+def pieces_together(each: Sequence[CyclePieces]) -> CyclePieces:
+    """Pieces of designs that have as many of them."""
+    return CyclePieces(*(np.stack(parts) for parts in zip(*each, strict=True)))
 
 
 def mesh_of(cycle: float, corners: Array) -> CyclePieces:

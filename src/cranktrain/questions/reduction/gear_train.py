@@ -1,6 +1,6 @@
 """Torques through gear and belt stages over crank angles: what the motor must give, how the crank accelerates."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -54,10 +54,11 @@ def through_stages(torque: Array, inertia: Array, load: Array, gearing: Gearing)
 
     Parameters
     ----------
-    torque, inertia, load : Array, shape (n,)
+    torque, inertia, load : Array, shape (n,), or of designs (design, n)
         Of the motor [N·m]; reduced to the crank, without what turns in the gearing [kg·m²]; that load and ½J′ω² take
         at the crank [N·m].
     gearing : Gearing
+        Of designs its numbers have the shape (design, 1), those of stages (stage, design, 1).
 
     Notes
     -----
@@ -80,18 +81,13 @@ def _that_fits(torque: Array, inertia: Array, load: Array, gearing: Gearing) -> 
     """What the first pattern gives that fits itself: all stages driven forward, all back, and then the rest."""
     forward, *others = product((True, False), repeat=len(gearing.ratio))
     found, outputs, fits = _of_pattern(forward, torque, inertia, load, gearing)
-    if np.all(fits):
-        return Passed(found, outputs)
-    left = np.flatnonzero(~fits)
-    found[left], outputs[:, left] = np.nan, np.nan
     for signs in reversed(others):
-        acceleration, passed, fits = _of_pattern(signs, torque[left], inertia[left], load[left], gearing)
-        here = left[fits]
-        found[here], outputs[:, here] = acceleration[fits], passed[:, fits]
-        left = left[~fits]
-        if not left.size:
-            break
-    return Passed(found, outputs)
+        if np.all(fits):
+            return Passed(found, outputs)
+        acceleration, passed, fits_too = _of_pattern(signs, torque, inertia, load, gearing)
+        found, outputs = np.where(fits, found, acceleration), np.where(fits, outputs, passed)
+        fits |= fits_too
+    return Passed(np.where(fits, found, np.nan), np.where(fits, outputs, np.nan))
 
 
 def lost_torque(outputs: Array, gearing: Gearing) -> Array:
@@ -103,6 +99,12 @@ def lost_torque(outputs: Array, gearing: Gearing) -> Array:
     turned = np.cumprod(gearing.ratio[::-1])[::-1]  # of each stage's input, for one of the crank
     at_input = outputs * (factor - 1) / gearing.ratio[:, np.newaxis] + gearing.drag[:, np.newaxis]
     return np.sum(at_input * turned[:, np.newaxis], axis=0)
+
+
+def gearings_together(each: Sequence[Gearing]) -> Gearing:
+    """Gearing of designs with as many stages: numbers of shape (design, 1), those of stages (stage, design, 1)."""
+    motor, *stages = zip(*each, strict=True)
+    return Gearing(np.stack(motor)[:, np.newaxis], *(np.stack(part, axis=1)[..., np.newaxis] for part in stages))
 
 
 def _of_pattern(
