@@ -132,25 +132,29 @@ def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base
     solved = np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
     of_start, of_rest = solved[..., 0], solved[..., 1]
     grows, gains = mesh.width * (of_start @ INTEGRALS[-1]), mesh.width * (of_rest @ INTEGRALS[-1])
-    over, past = (np.roll(each, -1, axis=-1) for each in _over_jumps(now, mesh, base))
-    # piece and jump in turn
-    grow, gain = (np.stack(pair, axis=-1).reshape(len(base), -1).tolist() for pair in ((grows, over), (gains, past)))
-    starts, growth = zip(*map(_repeated, grow, gain), strict=True)
-    at_start = np.array(starts)
+    steps = [grows, gains]
+    if np.any(mesh.low > -np.inf) or np.any(mesh.high < np.inf):
+        jumps = (np.roll(each, -1, axis=-1) for each in _over_jumps(now, mesh, base))
+        # piece and jump in turn
+        steps = [np.stack(pair, axis=-1).reshape(len(base), -1) for pair in zip(steps, jumps, strict=True)]
+    starts, growth = zip(*map(_repeated, *(each.tolist() for each in steps)), strict=True)
+    at_start = np.array(starts)[:, :: steps[0].size // grows.size]
     slopes = of_start * at_start[..., np.newaxis] + of_rest
     found = at_start[..., np.newaxis] + width * (slopes @ INTEGRALS[:-1].T)
     return _LinearCycle(found.reshape(slope.shape), at_start, slopes.reshape(slope.shape), 1 + np.array(growth))
 
 
 def _repeated(grow: list[float], gain: list[float]) -> tuple[list[float], float]:
-    """Where y is when pieces begin of a cycle that repeats itself, pieces and jumps in turn; the cycle's growth."""
+    """Where y is before each step of a cycle that repeats itself, and the cycle's growth."""
     growth, total = 0.0, 0.0  # of the cycle so far: its factor less 1, which of a heavy machine is next to nothing
     for own, more in zip(grow, gain, strict=True):
         growth, total = growth + (own + growth * own), total + (total * own + more)
-    ends = [-total / growth if growth else np.nan]
-    for own, more in zip(grow[:-2], gain[:-2], strict=True):
-        ends.append(ends[-1] + (ends[-1] * own + more))
-    return ends[::2], growth
+    begins = -total / growth if growth else np.nan
+    found: list[float] = []
+    for own, more in zip(grow, gain, strict=True):
+        found.append(begins)
+        begins += begins * own + more
+    return found, growth
 
 
 def _over_jumps(now: Array, mesh: CyclePieces, base: Array) -> tuple[Array, Array]:

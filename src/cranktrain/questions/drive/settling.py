@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from operator import itemgetter
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,13 +41,6 @@ _AT_ONCE = 16
 """Designs that are computed together: the curves of more are too long to be kept near."""
 _STEPS_TOGETHER = 8
 """Of Newton's method: what takes more of them is sought alone."""
-
-
-class _Levels(NamedTuple):
-    """Values of ω²/2 of the crank at which the motor's law has a corner, and those of them at which it jumps."""
-
-    corners: Array
-    jumps: Array
 
 
 def settled(
@@ -102,12 +94,12 @@ def all_settled(
 
 
 class _Way:
-    """A design on the way to its steady cycle: corners that its running has, and cuts of its pieces. [rad]"""
+    """A design on the way to its steady cycle: its motor's corners [rad/s]; those of its running, and cuts. [rad]"""
 
     def __init__(self, turning: DriveInTurn, mesh: CyclePieces) -> None:
         self.turning, self.mesh = turning, mesh
         self.found: SpeedOverTurn | None = None
-        self.levels = _Levels(_NOWHERE, _NOWHERE)
+        self.corner_speeds = _corner_speeds(turning)
         self.kinks, self.passed, self.cuts = _NOWHERE, _NOWHERE, _NOWHERE
         self.n_with_kinks = 0
 
@@ -135,7 +127,6 @@ def _begin(alike: Sequence[_Way], machines: ReducedMachines) -> None:
         ways = [way for way, _speed in begun]
         _find(ways, [np.full(way.mesh.nodes.shape, speed) for way, speed in begun])
     for way, speed in begun:
-        way.levels = _levels(way.turning)
         way.found = way.found or _from_heavier(way.turning, way.mesh, speed)
 
 
@@ -156,7 +147,7 @@ def _with_other_meshes(alike: Sequence[_Way], machines: ReducedMachines) -> list
     unsettled, standing = list[_Way](), list[_Way]()
     for way, own, passed_on in zip(alike, found, np.moveaxis(outputs, 1, 0), strict=True):
         before = way.kinks, way.passed
-        way.kinks, way.passed = _kinks(passed_on, own), passings(own, way.levels.corners)
+        way.kinks, way.passed = _kinks(passed_on, own), passings(own, 0.5 * way.corner_speeds**2)
         are_kinks_known = way.n_with_kinks >= _MOST_FOR_KINKS or _stand(
             before[0], way.kinks, machines.cycle, _SAME_KINK
         )
@@ -170,7 +161,7 @@ def _with_other_meshes(alike: Sequence[_Way], machines: ReducedMachines) -> list
         way.mesh = mesh_of(machines.cycle, np.concatenate([corners, way.kinks, way.passed, way.cuts]))
         way.n_with_kinks += 1
         middle = way.found.at(way.mesh.at(np.array([0.5])))
-        way.mesh = way.mesh.between(way.levels.jumps, 0.5 * middle**2)
+        way.mesh = way.mesh.between(0.5 * _jumps(way.turning, way.corner_speeds) ** 2, 0.5 * middle**2)
     return unsettled
 
 
@@ -205,14 +196,16 @@ def missed_motion(turning: Sequence[DriveInTurn], found: Sequence[SpeedOverTurn]
     return np.max(left, axis=-1) / largest[:, np.newaxis]
 
 
-def _levels(turning: DriveInTurn) -> _Levels:
-    """Corners of the motor's law, at the crank."""
+def _corner_speeds(turning: DriveInTurn) -> Array:
+    """Speeds of the crank at which the motor's law has a corner. [rad/s]"""
     speeds = turning.motor.corner_speeds(0)
-    speeds = speeds[speeds > 0]
-    at_crank = speeds / overall_ratio(turning.gearing)
-    below, above = (turning.motor_torque(at_crank * (1 + side)) for side in (-_ASIDE, _ASIDE))
-    is_jump = np.abs(above - below) > _JUMP * np.maximum(np.abs(below), np.abs(above))
-    return _Levels(0.5 * at_crank**2, 0.5 * at_crank[is_jump] ** 2)
+    return speeds[speeds > 0] / overall_ratio(turning.gearing)
+
+
+def _jumps(turning: DriveInTurn, speeds: Array) -> Array:
+    """Those of the speeds of corners at which the motor's law jumps. [rad/s]"""
+    below, above = (turning.motor_torque(speeds * (1 + side)) for side in (-_ASIDE, _ASIDE))
+    return speeds[np.abs(above - below) > _JUMP * np.maximum(np.abs(below), np.abs(above))]
 
 
 def _stand(before: Array, now: Array, cycle: float, same: float) -> bool:

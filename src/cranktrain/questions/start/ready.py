@@ -3,20 +3,21 @@
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive
 from cranktrain.motion import Array
 from cranktrain.questions.drive.steady_drive import SteadyCycles
 from cranktrain.questions.gas.chambers import GasInChambers
-from cranktrain.questions.reduction.at_angles import has_inertia, reduced_at
+from cranktrain.questions.reduction.at_angles import has_inertia, machines_together, reduced_at, structure_of
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.start.asked import MovingParts
 from cranktrain.questions.start.case import Braking, StartCase, StartCases
 from cranktrain.questions.start.gentle_rows import corners_and_rows
 from cranktrain.saying.wording import number
 from cranktrain.transient.equation import AT_MOTOR, BrakePlace
-from cranktrain.transient.gearing import turning_inertia
+from cranktrain.transient.gearing import Gearing, turning_inertia
 from cranktrain.transient.reduced import DISCHARGE, SUCTION, ReducedMachine
 
 _SAME = 1e-9
@@ -33,17 +34,30 @@ def start_cases(
 ) -> StartCases:
     """Make every design ready to start; what is wrong with one stands at its place."""
     chambers = () if gas is None else _remembering(gas)
-    each = list[StartCase | InputError]()
-    for design in range(len(drive.gearings)):
+    each, are_known = list[StartCase | InputError](), _are_loads_known(machines, crank_angle)
+    for design, (gearing, is_known) in enumerate(zip(drive.gearings, are_known, strict=True)):
         try:
-            each.append(_start_case(drive, parts, machines, steady, chambers, crank_angle, design))
+            _refuse_immovable(machines.each[design], gearing, is_load_known=is_known)
+            each.append(_start_case(gearing, parts, machines, steady, chambers, crank_angle, design))
         except InputError as error:
             each.append(error)
     return StartCases(tuple(each))
 
 
+def _refuse_immovable(machine: ReducedMachine, gearing: Gearing, *, is_load_known: bool) -> None:
+    """Refuse a design that has no inertia, or whose load is no number: gas can be beyond computing."""
+    if not has_inertia(machine, turning_inertia(gearing)):
+        allowed = _(
+            "moves nothing that has inertia, and a start needs some: of the motor, [drive.part.NAME] or [masses]"
+        )
+        raise InputError([Problem("drive", None, allowed)])
+    if not is_load_known:
+        allowed = _("needs the load on the crank, which is no number here: see what `run` says of gas and loads")
+        raise InputError([Problem("drive", None, allowed)])
+
+
 def _start_case(
-    drive: DeclaredDrive,
+    gearing: Gearing,
     parts: MovingParts,
     machines: ReducedMachines,
     steady: SteadyCycles | None,
@@ -51,14 +65,8 @@ def _start_case(
     crank_angle: CrankAngle,
     design: int,
 ) -> StartCase:
-    """Make a design ready to start: refuse one that has no inertia, or whose load is no number."""
-    machine, gearing = machines.each[design], drive.gearings[design]
-    if not has_inertia(machine, turning_inertia(gearing)):
-        allowed = _(
-            "moves nothing that has inertia, and a start needs some: of the motor, [drive.part.NAME] or [masses]"
-        )
-        raise InputError([Problem("drive", None, allowed)])
-    _refuse_unknown_load(machine, crank_angle.angle[min(design, len(crank_angle.angle) - 1), 0])
+    """Make a design ready to start."""
+    machine = machines.each[design]
     brake, place = _brake(parts.brake, design)
     start = parts.start.of(design)
     _refuse_pressure(machine, start.gas_pressure, parts.start.texts.get("gas_pressure", ""))
@@ -114,9 +122,13 @@ def _refuse_pressure(machine: ReducedMachine, pressure: float, text: str) -> Non
         raise InputError([Problem("drive.start.gas_pressure", text, said)])
 
 
-def _refuse_unknown_load(machine: ReducedMachine, angle: Array) -> None:
-    """Refuse loads that are no number at crank angles at which the links close: gas can be beyond computing. [rad]"""
-    there = reduced_at(machine, angle)
-    if np.any(np.isfinite(there.inertia) & ~np.isfinite(there.load)):
-        allowed = _("needs the load on the crank, which is no number here: see what `run` says of gas and loads")
-        raise InputError([Problem("drive", None, allowed)])
+def _are_loads_known(machines: ReducedMachines, crank_angle: CrankAngle) -> list[bool]:
+    """Whether the load of each design is a number at all crank angles at which the links close."""
+    grid = np.broadcast_to(crank_angle.angle[:, 0], (len(machines.each), crank_angle.shown.size))
+    found = [False] * len(machines.each)
+    for designs in grouped((structure_of(one), place) for place, one in enumerate(machines.each)).values():
+        there = reduced_at(machines_together([machines.each[design] for design in designs]), grid[designs])
+        is_known = ~np.any(np.isfinite(there.inertia) & ~np.isfinite(there.load), axis=-1)
+        for design, own in zip(designs, is_known.tolist(), strict=True):
+            found[design] = own
+    return found
