@@ -120,13 +120,13 @@ def run_implicitly(
     longest_step: float = np.inf,
     is_compiled: bool = True,
     progress: Progress | None = None,
-    ends: list[Array] | None = None,
+    keeps_steps: bool = False,
 ) -> TransientRun:
     """Run as `runs.run` does, by `solve_ivp` of SciPy with LSODA or Radau; phases, events and reasons are the same.
 
     Parameters
     ----------
-    kernels, drive, asked, is_compiled, progress, ends
+    kernels, drive, asked, is_compiled, progress, keeps_steps
         See `runs.run`; progress is told at the ends of phases. A machine that remembers would remember the steps that
         are tried and not taken: it is no machine for this.
     method : str, optional
@@ -142,7 +142,7 @@ def run_implicitly(
     table = np.full((len(asked.samples), N_STATE), np.nan)
     longest = min(longest_step, 0.02 * asked.limits.end_time)
     going = _Going(
-        parts, train, asked, method, longest, table, [], [] if ends is None else ends, is_compiled, [0], [(0, 0.0)]
+        parts, train, asked, method, longest, table, [], [], is_compiled, [0], [(0, 0.0)]
     )
     state, time, n_steps, n_reversals = asked.start.copy(), 0.0, 0, 0
     machine, settle = parts.kernels.machine, parts.kernels.settle
@@ -187,6 +187,7 @@ def run_implicitly(
     table = going.table[is_there]
     return TransientRun(
         reason,
+        asked.start,
         time,
         state,
         asked.samples[is_there],
@@ -197,6 +198,7 @@ def run_implicitly(
         n_steps,
         method,
         train.machine,
+        np.concatenate(going.ends) if keeps_steps else np.empty((0, 2)),
     )
 
 

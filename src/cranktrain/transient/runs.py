@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from functools import cache, partial
 from time import perf_counter
 from typing import Any, NamedTuple, TypeAlias
@@ -30,6 +31,7 @@ from cranktrain.transient.endings import GOING, STOPPED, RunLimits
 from cranktrain.transient.equation import DriveTrain, Joined, Kernels, TrainNumbers, joined, train_of
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 from cranktrain.transient.step import N_STATE
+from cranktrain.transient.traced import N_TRACED, states_within
 from cranktrain.transient.transient import begin_run, run_on
 
 Progress: TypeAlias = Callable[[float, float, float], object]
@@ -89,6 +91,8 @@ class TransientRun:
     ----------
     reason : int
         A key of `REASONS`.
+    start : Array, shape (6,)
+        As `end`.
     end_time : float
         [s]
     end : Array, shape (6,)
@@ -107,9 +111,13 @@ class TransientRun:
         Of `tsit5`, `LSODA`, `Radau`.
     machine : Array, or list of float
         Its numbers, with what it remembers at the end: a run may go on from there.
+    steps : Array, shape (n, 2 or more)
+        Where steps end, time and speed of the crank, if that was asked for; behind it, of an explicit method, what
+        tells the states within a step. [s, rad/s]
     """
 
     reason: int
+    start: Array
     end_time: float
     end: Array
     time: Array
@@ -120,10 +128,22 @@ class TransientRun:
     n_steps: int
     method: str
     machine: Any
+    steps: Array
 
     def of_kind(self, kind: int) -> tuple[Event, ...]:
         """Events of one kind."""
         return tuple(event for event in self.events if event.kind == kind)
+
+    @property
+    def tells_within(self) -> bool:
+        """Whether its steps tell all states: not where it waited, was stopped, or ran implicitly."""
+        is_traced = self.steps.shape[1] == N_TRACED and len(self.steps) > 0
+        return is_traced and self.reason != STOPPED and not self.of_kind(endings.HELD)
+
+    def sampled(self, samples: Array) -> "TransientRun":
+        """The same with its states at other samples, shape (n,), as a run with these has them. [s]"""
+        states = states_within(self.steps, self.start, samples)
+        return replace(self, time=samples[: len(states)], states=states)
 
 
 class Wanted(NamedTuple):
@@ -207,7 +227,7 @@ def run(
     *,
     is_compiled: bool = True,
     progress: Progress | None = None,
-    ends: list[Array] | None = None,
+    keeps_steps: bool = False,
 ) -> TransientRun:
     """Run a machine by an explicit method.
 
@@ -223,8 +243,8 @@ def run(
     progress : callable, optional
         (time, crank angle, speed) → anything, called some 30 times a second of the user's time. With it, a run that
         the user interrupts (Ctrl-C) gives what was computed so far, with the reason `STOPPED`; numbers are the same.
-    ends : list, optional
-        To which time and speed of the crank where steps end are added, arrays of shape (n, 2). [s, rad/s]
+    keeps_steps : bool, optional
+        Whether its `steps` are kept.
 
     Returns
     -------
@@ -236,22 +256,23 @@ def run(
     """
     loop = loop_of(joined(kernels, is_compiled), is_compiled)
     train, course = train_of(drive, kernels, is_compiled), course_from(asked.start, is_compiled)
-    n_ends = 0 if ends is None else _AT_ONCE
-    log = Log(np.empty((len(asked.samples), N_STATE)), np.empty((_MOST_MARKS, 4)), np.empty((n_ends, 2)))
+    n_rows = _AT_ONCE if keeps_steps else 0
+    log = Log(np.empty((len(asked.samples), N_STATE)), np.empty((_MOST_MARKS, 4)), np.empty((n_rows, N_TRACED)))
+    steps = list[Array]()
     if not is_compiled:
         asked = asked._replace(
             **{name: getattr(asked, name).tolist() for name in ("start", "samples", "breaks", "corners", "rows")}
         )
-    reason, course = _run_through(partial(loop, train, asked), course, log, asked.limits.most_steps, progress, ends)
-    return _result(reason, course, log, asked, drive, train.machine)
+    reason, course = _run_through(partial(loop, train, asked), course, log, asked.limits.most_steps, progress, steps)
+    return _result(reason, course, log, asked, drive, train.machine, np.concatenate([log.steps[:0], *steps]))
 
 
 class Log(NamedTuple):
-    """States at the samples, events, and where steps of one call end: filled by the loop."""
+    """States at the samples, events, and the steps of one call: filled by the loop."""
 
     table: Array
     marks: Array
-    ends: Array
+    steps: Array
 
 
 def _run_through(
@@ -260,10 +281,11 @@ def _run_through(
     log: Log,
     most_steps: int,
     progress: Progress | None,
-    ends: list[Array] | None,
+    steps: list[Array],
 ) -> tuple[int, Course]:
     """Run to the end, so many steps at a time as are written down, or take the time between two tellings."""
-    if progress is None and ends is None:
+    is_kept = len(log.steps) > 0
+    if progress is None and not is_kept:
         return loop(course, *log, most_steps + 1), course
     kept, n_steps = copied(course), _AT_ONCE if progress is None else _FIRST_STEPS
     try:
@@ -271,12 +293,12 @@ def _run_through(
             start = perf_counter()
             reason = loop(course, *log, n_steps)
             kept = copied(course)
-            if ends is not None:
-                ends.append(log.ends[: course.counts[ENDS]].copy())
+            if is_kept:
+                steps.append(log.steps[: course.counts[ENDS]].copy())
             if progress is not None:
                 progress(float(course.here[TIME]), float(course.state[0]), float(course.state[1]))
                 n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))
-            n_steps = n_steps if ends is None else min(n_steps, _AT_ONCE)
+            n_steps = min(n_steps, _AT_ONCE) if is_kept else n_steps
             if reason != GOING:
                 return reason, course
     except KeyboardInterrupt:
@@ -285,7 +307,9 @@ def _run_through(
         return STOPPED, kept
 
 
-def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTrain, machine: Any) -> TransientRun:
+def _result(
+    reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTrain, machine: Any, steps: Array
+) -> TransientRun:
     """What became of a run whose course has ended."""
     n_samples, n_marks = course.counts[SAMPLE], course.counts[MARKS]
     rows = sorted(log.marks[:n_marks].tolist(), key=_time_of)
@@ -294,6 +318,7 @@ def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTr
     )
     return TransientRun(
         reason,
+        np.asarray(asked.start),
         float(course.here[TIME]),
         np.asarray(course.state),
         np.asarray(asked.samples[:n_samples], dtype=float),
@@ -304,6 +329,7 @@ def _result(reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTr
         int(course.counts[STEPS]),
         "tsit5",
         machine,
+        steps,
     )
 
 
@@ -349,13 +375,13 @@ def loop_of(parts: Joined, is_compiled: bool) -> Any:
     derive, kernels = parts
 
     def loop(
-        train: TrainNumbers, asked: Wanted, course: Course, table: Array, marks: Array, ends: Array, most_steps: int
+        train: TrainNumbers, asked: Wanted, course: Course, table: Array, marks: Array, steps: Array, most_steps: int
     ) -> int:
         here, state = course.here, course.state
         if course.counts[STEPS] == 0:
             begin(kernels, train, asked, course, table)
             here[INERTIA_BEFORE] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
-        reason = inner(derive, kernels, train, asked, course, table, marks, ends, most_steps)
+        reason = inner(derive, kernels, train, asked, course, table, marks, steps, most_steps)
         here[INERTIA_AFTER] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
         return reason
 

@@ -44,6 +44,8 @@ from cranktrain.transient.equation import is_open
 from cranktrain.transient.rest import kind_of_rest, set_off
 from cranktrain.transient.settling import come_to_rest
 from cranktrain.transient.step import BESIDE, N_STATE, ROW, error_of, integrate_along, take_step, within
+from cranktrain.transient.traced import SPEED_AFTER, TIME_AFTER, trace_step
+from cranktrain.transient.traced import WIDTH as STEP_WIDTH
 
 NOWHERE, AT_TIME, AT_CORNER = range(3)
 """Where a step is to land: wherever; at a break or the end of the run; at a corner of the load."""
@@ -73,7 +75,7 @@ def begin_run(kernels: Any, train: Any, asked: Any, course: Any, table: Any) -> 
 
 
 def run_on(
-    derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any, ends: Any, most_steps: int
+    derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any, steps: Any, most_steps: int
 ) -> int:
     """Run until something ends it, or for a number of steps.
 
@@ -89,8 +91,8 @@ def run_on(
         Filled as far as the run goes.
     marks : Array, shape (most, 4)
         Filled with kind, time, angle and speed of events.
-    ends : Array, shape (n, 2)
-        Filled with time and speed after each step, the first n of them, anew in each call. [s, rad/s]
+    steps : Array, shape (n, `N_TRACED`)
+        Filled with each step, the first n of them, anew in each call.
     most_steps : int
 
     Returns
@@ -98,18 +100,21 @@ def run_on(
     int
         A reason, or `GOING`.
     """
-    goal, row = course.counts[STEPS] + most_steps, 0
+    goal = course.counts[STEPS] + most_steps
+    course.counts[ENDS] = 0
     reason = GOING
     while reason == GOING and course.counts[STEPS] < goal:
+        row = course.counts[ENDS]
+        if row < len(steps):
+            steps[row, STEP_WIDTH] = 0.0
         if course.counts[IS_FRESH] == 1:
             reason = _begin_phase(derive, kernels, train, asked, course, table, marks)
         if reason == GOING:
-            reason = _go_a_step(derive, kernels, train, asked, course, table, marks)
-        if row < len(ends):
-            ends[row, 0] = course.here[TIME]
-            ends[row, 1] = course.state[1]
-            row += 1
-    course.counts[ENDS] = row
+            reason = _go_a_step(derive, kernels, train, asked, course, table, marks, steps)
+        if row < len(steps):
+            steps[row, TIME_AFTER] = course.here[TIME]
+            steps[row, SPEED_AFTER] = course.state[1]
+            course.counts[ENDS] = row + 1
     return reason
 
 
@@ -148,7 +153,9 @@ def _first_width(speed: float, grown: float, end_time: float) -> float:
     return width
 
 
-def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any) -> int:
+def _go_a_step(
+    derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any, steps: Any
+) -> int:
     """Try a step; if its error is small enough, go to its end or to the first event in it."""
     here, limits, slopes, ahead = course.here, asked.limits, course.slopes, course.ahead
     if here[TIME] >= limits.end_time:
@@ -178,11 +185,11 @@ def _go_a_step(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, t
         width = step_to(derive, train, course, theta, width, 1, level)
         if course.trial[1] != course.trial[1]:  # the whole step has slopes, and this one has not
             return GEARING_JAMS
-        _sample(asked.samples, course, course.again, width, table)
+        _sample(asked.samples, course, course.again, width, table, steps)
         go_ahead(course, here[TIME] + width, course.trial)
         kernels.settle(course.state[0], train.machine)
         return _after_event(event, limits, course, marks)
-    _sample(asked.samples, course, slopes, width, table)
+    _sample(asked.samples, course, slopes, width, table, steps)
     output = slopes[6 * ROW + BESIDE]
     if output != 0.0:
         here[OUTPUT] = output
@@ -315,9 +322,11 @@ def step_to(derive: Any, train: Any, course: Any, theta: float, width: float, wh
     return part
 
 
-def _sample(samples: Any, course: Any, slopes: Any, width: float, table: Any) -> None:
-    """Write down the state at the samples that lie in a step."""
+def _sample(samples: Any, course: Any, slopes: Any, width: float, table: Any, steps: Any) -> None:
+    """Write down a step, and the state at the samples that lie in it."""
     time, row = course.here[TIME], course.counts[SAMPLE]
+    if course.counts[ENDS] < len(steps):
+        trace_step(steps, course.counts[ENDS], time, width, course.state, slopes)
     while row < len(samples) and samples[row] <= time + width:
         theta = (samples[row] - time) / width
         for part in range(N_STATE):

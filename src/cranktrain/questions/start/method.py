@@ -32,7 +32,7 @@ class Runs(Protocol):
         *,
         is_compiled: bool,
         progress: Progress | None,
-        ends: list[Array] | None,
+        keeps_steps: bool,
     ) -> TransientRun:
         """See `runs.run`."""
         ...

@@ -90,17 +90,20 @@ def start_run(ready: ReadyStarts, parts: MovingParts, asked: StartAsked) -> Star
 
 
 def run_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool = False) -> StartRun:
-    """Run a start: once to find its end, and once more for the states on the way."""
-    progress = asked_for.progress
-    steps, method = list[Array](), method_of(case, is_compiled=is_compiled)
-    first = list(_runs(case, method, _NO_TIMES, np.inf, progress, steps))
+    """Run a start: to its end, and once more for the states on the way where its steps do not tell them."""
+    method = method_of(case, is_compiled=is_compiled)
+    first = list(_runs(case, method, _NO_TIMES, np.inf, asked_for.progress, keeps_steps=True))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
     asked = wanted_times(asked_for, case.start.interval, case.interval_text, end)
-    close = close_times(case, np.concatenate(steps), is_compiled=method.is_compiled)
+    ends = np.concatenate([found.steps[:, :2] + np.array([span.start, 0.0]) for span, found in first])
+    close = close_times(case, ends, is_compiled=method.is_compiled)
     samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close]))
-    again = list(_runs(case, method, samples, end if last.reason == endings.STOPPED else np.inf, None))
-    return _together(case, again, last.reason, asked, is_compiled=method.is_compiled)
+    if all(found.tells_within for _span, found in first):
+        runs = [(span, found.sampled(_within(span, samples))) for span, found in first]
+    else:
+        runs = list(_runs(case, method, samples, end if last.reason == endings.STOPPED else np.inf, None))
+    return _together(case, runs, last.reason, asked, is_compiled=method.is_compiled)
 
 
 _NO_TIMES = np.empty(0)
@@ -132,12 +135,10 @@ def _runs(
     samples: Array,
     end: float,
     progress: Progress | None,
-    steps: list[Array] | None = None,
+    *,
+    keeps_steps: bool = False,
 ) -> Iterator[tuple[_Span, TransientRun]]:
-    """Run span by span, each from where the last one ended, until one ends for a reason of its own.
-
-    `steps` is given times and speeds at which steps end.
-    """
+    """Run span by span, each from where the last one ended, until one ends for a reason of its own."""
     angle, speed, now = case.start.angle + case.zero, case.start.speed, 0.0
     run, is_compiled = method
     spans, kernels = list(_spans(case)), start_kernels(case.motor, is_compiled=is_compiled)
@@ -151,12 +152,9 @@ def _runs(
         if span.machine is not machine:
             numbers = numbers_from(span.machine, angle, filled, is_compiled=is_compiled)
         filled = math.nan
-        asked = _wanted(case, span, angle, speed, samples)
-        own = None if steps is None else list[Array]()
+        asked, train = _wanted(case, span, angle, speed, samples), _train(case, span, numbers)
         telling = _from(span.start, progress)
-        found = run(kernels, _train(case, span, numbers), asked, is_compiled=is_compiled, progress=telling, ends=own)
-        if steps is not None and own is not None:
-            steps += [ends + np.array([span.start, 0.0]) for ends in own]
+        found = run(kernels, train, asked, is_compiled=is_compiled, progress=telling, keeps_steps=keeps_steps)
         yield span, found
         is_over = found.reason == endings.TIME_OUT
         now = span.end if is_over else span.start + found.end_time
@@ -210,14 +208,18 @@ def _train(case: StartCase, span: _Span, machine: Array | list[float]) -> DriveT
     )
 
 
+def _within(span: _Span, samples: Array) -> Array:
+    """Samples of a span, from its beginning on. [s]"""
+    return samples[(samples >= span.start) & (samples <= span.end)] - span.start
+
+
 def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: Array) -> Wanted:
     """What is wanted of a span."""
-    own = samples[(samples >= span.start) & (samples <= span.end)] - span.start
     return wanted(
         span.end - span.start,
         angle=angle,
         speed=speed,
-        samples=own,
+        samples=_within(span, samples),
         breaks=tuple(at - span.start for at in _breaks(case) if span.start < at < span.end),
         corners=case.corners,
         rows=case.rows,
