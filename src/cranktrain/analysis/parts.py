@@ -1,7 +1,7 @@
 """Parts: what machines declare, as SI arrays with a leading design axis; stages ask for them by type."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import cast
 
 from cranktrain.columns import in_columns
@@ -64,16 +64,28 @@ def refuse_wrong(machines: Sequence[Machine], *, partial: bool = False) -> None:
 
 def differences(machines: Sequence[Machine]) -> Iterator[Problem]:
     """Find where designs differ in more than numbers."""
-    first = dict(_structure(machines[0])) if len(machines) > 1 else {}
+    first = machines[0]
     allowed = _("must be the same in all designs, which may differ in numbers alone; in design {n} it is another")
     for n, machine in enumerate(machines[1:], start=2):
-        other = dict(_structure(machine))
-        paths = [path for path in dict.fromkeys((*first, *other)) if first.get(path) != other.get(path)]
-        if not paths and machine.cycle != machines[0].cycle:
+        # what designs share needs no look
+        tables = [name for name in type(first).model_fields if getattr(first, name) != getattr(machine, name)]
+        one, other = (dict(_structure_of(each, tables)) for each in (first, machine))
+        paths = [path for path in dict.fromkeys((*one, *other)) if one.get(path) != other.get(path)]
+        if not paths and machine.cycle != first.cycle:
             over = _("must go on over one turn in all designs, or over two in all; in design {n} it is otherwise")
             yield Problem("load", None, over.format(n=n))
         if paths:
             yield Problem(re.sub(r"\.mechanism\[\d+\]", ".mechanism", paths[0]), None, allowed.format(n=n))
+
+
+def _structure_of(spec: Spec, names: Iterable[str], path: str = "") -> Iterator[tuple[str, object]]:
+    """Give the same of some fields of a spec."""
+    for name in names:
+        if name in spec.of_file:
+            if type(spec).model_fields[name].is_required():
+                yield f"{path}.{name}", Given
+        elif name != "name":
+            yield from _structure(getattr(spec, name), f"{path}.{name}".removeprefix("."))
 
 
 def _structure(declared: object, path: str = "") -> Iterator[tuple[str, object]]:
@@ -81,12 +93,7 @@ def _structure(declared: object, path: str = "") -> Iterator[tuple[str, object]]
     if isinstance(declared, Given):
         yield path, Given
     elif isinstance(declared, Spec):
-        for name, field in type(declared).model_fields.items():
-            if name in declared.of_file:
-                if field.is_required():
-                    yield f"{path}.{name}", Given
-            elif name != "name":
-                yield from _structure(getattr(declared, name), f"{path}.{name}".removeprefix("."))
+        yield from _structure_of(declared, type(declared).model_fields, path)
     elif isinstance(declared, Mapping):
         for name, value in cast(Mapping[str, object], declared).items():
             yield from _structure(value, f"{path}.{name}")

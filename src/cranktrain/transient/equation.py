@@ -6,6 +6,8 @@ from functools import cache
 from types import FunctionType
 from typing import Any, NamedTuple, TypeAlias
 
+import numpy as np
+
 from cranktrain.linkage import compiled
 from cranktrain.transient.compiling import quick
 from cranktrain.transient.gearing import Gearing
@@ -103,7 +105,9 @@ class TrainNumbers(NamedTuple):
 
 def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> TrainNumbers:
     """Prepare a drive for a run: with a memory of its own, and without Numba with lists, which are quicker there."""
-    machine = drive.machine if kernels.settle is no_memory else deepcopy(drive.machine)
+    machine = drive.machine
+    if kernels.settle is not no_memory:
+        machine = machine.copy() if isinstance(machine, np.ndarray) else deepcopy(machine)
     rows = lines_of(drive.gearing)
     return TrainNumbers(
         machine,

@@ -39,12 +39,13 @@ def states_within(steps: Array, start: Array, samples: Array) -> Array:
     Array, shape (k, 6)
         Of those that the run came to.
     """
-    taken = steps[steps[:, WIDTH] > 0]
-    step = np.searchsorted(taken[:, BEGIN] + taken[:, WIDTH], samples)
+    taken = steps[steps[:, WIDTH] > 0].T.copy()
+    step = np.searchsorted(taken[BEGIN] + taken[WIDTH], samples)
     is_later = samples > 0
-    own = taken[step[is_later & (step < len(taken))]].T
+    own = taken[:, step[is_later & (step < taken.shape[1])]]
     times = samples[is_later][: own.shape[1]]
     theta = (times - own[BEGIN]) / own[WIDTH]
     state, slopes = own[_STATE : _STATE + N_STATE], own[_STATE + N_STATE :]
-    later = [within(state, slopes, own[WIDTH], theta, part) for part in range(N_STATE)]
-    return np.concatenate([np.tile(start, (np.sum(~is_later), 1)), np.stack(later, axis=1)])
+    every: Any = np.arange(N_STATE)
+    later = np.asarray(within(state, slopes, own[WIDTH], theta, every))
+    return np.concatenate([np.tile(start, (np.sum(~is_later), 1)), later.T])

@@ -161,5 +161,6 @@ def numbers_from(
     row = in_one_row(machine)
     numbers = row if is_compiled else row.tolist()
     if len(machine.chambers):
-        in_floats(filled_at)(angle, numbers, pressure)
+        fill = quick(filled_at) if is_compiled else in_floats(filled_at)
+        fill(angle, numbers, pressure)
     return numbers
