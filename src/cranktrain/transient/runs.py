@@ -140,9 +140,9 @@ class TransientRun:
         is_traced = self.steps.shape[1] == N_TRACED and len(self.steps) > 0
         return is_traced and self.reason != STOPPED and not self.of_kind(endings.HELD)
 
-    def sampled(self, samples: Array) -> "TransientRun":
+    def sampled(self, samples: Array, *, is_compiled: bool) -> "TransientRun":
         """The same with its states at other samples, shape (n,), as a run with these has them. [s]"""
-        states = states_within(self.steps, self.start, samples)
+        states = states_within(self.steps, self.start, samples, is_compiled=is_compiled)
         return replace(self, time=samples[: len(states)], states=states)
 
 
@@ -264,7 +264,7 @@ def run(
             **{name: getattr(asked, name).tolist() for name in ("start", "samples", "breaks", "corners", "rows")}
         )
     reason, course = _run_through(partial(loop, train, asked), course, log, asked.limits.most_steps, progress, steps)
-    return _result(reason, course, log, asked, drive, train.machine, np.concatenate([log.steps[:0], *steps]))
+    return _result(reason, course, log, asked, drive, train.machine, _one_behind_other(log, steps))
 
 
 class Log(NamedTuple):
@@ -294,7 +294,8 @@ def _run_through(
             reason = loop(course, *log, n_steps)
             kept = copied(course)
             if is_kept:
-                steps.append(log.steps[: course.counts[ENDS]].copy())
+                own = log.steps[: course.counts[ENDS]]
+                steps.append(own.copy() if reason == GOING else own)
             if progress is not None:
                 progress(float(course.here[TIME]), float(course.state[0]), float(course.state[1]))
                 n_steps = max(1, int(n_steps * min(4.0, _BETWEEN_CALLS / max(perf_counter() - start, 1e-9))))
@@ -331,6 +332,11 @@ def _result(
         machine,
         steps,
     )
+
+
+def _one_behind_other(log: Log, steps: list[Array]) -> Array:
+    """Steps of all calls; most runs take one."""
+    return steps[0] if len(steps) == 1 else np.concatenate([log.steps[:0], *steps])
 
 
 def _time_of(mark: list[float]) -> float:
