@@ -107,7 +107,7 @@ def train_of(drive: DriveTrain, kernels: Kernels, is_compiled: bool) -> TrainNum
     """Prepare a drive for a run: with a memory of its own, and without Numba with lists, which are quicker there."""
     machine = drive.machine
     if kernels.settle is not no_memory:
-        machine = machine.copy() if isinstance(machine, np.ndarray) else deepcopy(machine)
+        machine = np.array(machine) if type(machine) is np.ndarray else deepcopy(machine)
     rows = lines_of(drive.gearing)
     return TrainNumbers(
         machine,

@@ -141,9 +141,7 @@ def run_implicitly(
     parts, train = joined(kernels, is_compiled), train_of(drive, kernels, is_compiled)
     table = np.full((len(asked.samples), N_STATE), np.nan)
     longest = min(longest_step, 0.02 * asked.limits.end_time)
-    going = _Going(
-        parts, train, asked, method, longest, table, [], [], is_compiled, [0], [(0, 0.0)]
-    )
+    going = _Going(parts, train, asked, method, longest, table, [], [], is_compiled, [0], [(0, 0.0)])
     state, time, n_steps, n_reversals = asked.start.copy(), 0.0, 0, 0
     machine, settle = parts.kernels.machine, parts.kernels.settle
     settle(state[0], train.machine)

@@ -1,7 +1,7 @@
 """The constant speed at which a motor's mean torque balances the machine's: the limit of very even running."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -92,7 +92,8 @@ def _end(turning: DriveInTurn, first: float) -> Array:
 def _mean_work(turning: DriveInTurn, speeds: Array) -> Array:
     """Mean over the cycle of what drives the crank at constant speeds, less what holds it, shape (design, n). [N·m]"""
     here = turning.here.changed(lambda curve: curve[:, np.newaxis])
-    gearing = Gearing(*(np.asarray(part)[..., np.newaxis] for part in turning.gearing))
+    widened: tuple[Any, ...] = tuple(np.asarray(part)[..., np.newaxis] for part in turning.gearing)
+    gearing = Gearing(*widened)
     torque, speed = turning.motor_torque(speeds)[..., np.newaxis], speeds[..., np.newaxis]
     passed = through_stages(torque, here.inertia, here.taken(speed), gearing)
     # what inertia would take

@@ -12,7 +12,14 @@ from cranktrain.questions.drive.balanced_speed import balances
 from cranktrain.questions.drive.cycle_equation import speed_over_turn, speeds_over_turn
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, passings
 from cranktrain.questions.drive.steady_turn import DriveInTurn, together
-from cranktrain.questions.reduction.cycle_pieces import NODES, CyclePieces, mesh_of, pieces_together, to_integrals, to_places
+from cranktrain.questions.reduction.cycle_pieces import (
+    NODES,
+    CyclePieces,
+    mesh_of,
+    pieces_together,
+    to_integrals,
+    to_places,
+)
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 
@@ -185,7 +192,8 @@ def _cut(standing: Sequence[_Way]) -> list[_Way]:
 def missed_motion(turning: Sequence[DriveInTurn], found: Sequence[SpeedOverTurn]) -> Array:
     """What is left over of the equation of motion between the nodes of each piece, of the largest torque. [1]
 
-    Of designs of one structure with as many pieces each, shape (design, piece). docs/theory/reduced-machine, eq. (31.6).
+    Of designs of one structure with as many pieces each, shape (design, piece).
+    docs/theory/reduced-machine, eq. (31.6).
     """
     at_nodes = together(turning)
     there = at_nodes.at(np.stack([one.mesh.at(_BETWEEN) for one in found]))

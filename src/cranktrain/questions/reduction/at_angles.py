@@ -160,10 +160,10 @@ _ALIKE_IN_CHAMBERS = [VOLUME, COMPRESSION, EXPANSION]
 """Numbers that say which formula is meant, or are its exponents."""
 
 
-def _rows(table: Any) -> Iterator[tuple[list[float], list[Any]]]:
+def _rows(table: Any) -> Iterator[tuple[list[Any], list[Any]]]:
     """Rows of a table: numbers that all designs have in common, and the own ones of each, shape (design, 1)."""
     for row in np.moveaxis(np.asarray(table), -2, 0):
-        alike: list[float] = row.reshape(-1, row.shape[-1])[0].tolist()
+        alike: list[Any] = row.reshape(-1, row.shape[-1])[0].tolist()
         yield alike, alike if row.ndim == 1 else list(row.T[..., np.newaxis])
 
 

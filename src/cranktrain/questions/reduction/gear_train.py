@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -103,8 +103,9 @@ def lost_torque(outputs: Array, gearing: Gearing) -> Array:
 
 def gearings_together(each: Sequence[Gearing]) -> Gearing:
     """Gearing of designs with as many stages: numbers of shape (design, 1), those of stages (stage, design, 1)."""
-    motor, *stages = zip(*each, strict=True)
-    return Gearing(np.stack(motor)[:, np.newaxis], *(np.stack(part, axis=1)[..., np.newaxis] for part in stages))
+    motors, *stages = zip(*each, strict=True)
+    motor: Any = np.stack(motors)[:, np.newaxis]
+    return Gearing(motor, *(np.stack(part, axis=1)[..., np.newaxis] for part in stages))
 
 
 def _of_pattern(

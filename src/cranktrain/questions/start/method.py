@@ -6,7 +6,6 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from cranktrain.motion import Array
 from cranktrain.questions.start.case import Braking, StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import numbers_from
 from cranktrain.transient.corners import few_ahead

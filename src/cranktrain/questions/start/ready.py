@@ -7,7 +7,6 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive
-from cranktrain.motion import Array
 from cranktrain.questions.drive.steady_drive import SteadyCycles
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.reduction.at_angles import has_inertia, machines_together, reduced_at, structure_of

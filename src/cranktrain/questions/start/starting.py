@@ -100,9 +100,7 @@ def run_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool = Fal
     close = close_times(case, ends, is_compiled=method.is_compiled)
     samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close]))
     if all(found.tells_within for _span, found in first):
-        runs = [
-            (span, found.sampled(_within(span, samples), is_compiled=method.is_compiled)) for span, found in first
-        ]
+        runs = [(span, found.sampled(_within(span, samples), is_compiled=method.is_compiled)) for span, found in first]
     else:
         runs = list(_runs(case, method, samples, end if last.reason == endings.STOPPED else np.inf, None))
     return _together(case, runs, last.reason, asked, is_compiled=method.is_compiled)
