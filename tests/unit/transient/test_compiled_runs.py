@@ -73,3 +73,20 @@ def test_without_a_pull_it_is_at_rest(damping):
         root = math.sqrt(max(0.0, (damping / 2 / INERTIA) ** 2 - STIFF / INERTIA))
         rate = damping / 2 / INERTIA - root
         assert found.end_time == pytest.approx(math.log(0.2 / 1e-6) / rate, rel=0.1)
+
+
+def test_steps_tell_the_states_within_as_the_run_writes_them_down():
+    """Through reversals and corners, plain and compiled, at the beginning, at ends of steps and beyond the end."""
+    asked = wanted(2.0, angle=MIDDLE, speed=1.0, corners=(0.0, math.pi))
+    for is_compiled in (False, True):
+        memory = [2e5 * volume(MIDDLE) ** EXPONENT]
+        machine = (1.5, np.array(memory) if is_compiled else memory, CRANK, 200.0, MIDDLE)
+        drive = DriveTrain(machine, (0.0,), 0.0, stages(0.5))
+        kept = run(KERNELS, drive, asked, is_compiled=is_compiled, keeps_steps=True)
+        assert kept.tells_within
+        samples = np.unique(np.concatenate([np.linspace(0.0, 2.5, 400), kept.steps[:, 0]]))
+        sampled = run(KERNELS, drive, asked._replace(samples=samples), is_compiled=is_compiled)
+        found = kept.sampled(samples, is_compiled=is_compiled)
+        np.testing.assert_array_equal(found.time, sampled.time)
+        np.testing.assert_array_equal(found.states, sampled.states)
+        assert not sampled.tells_within  # of which no steps were kept
