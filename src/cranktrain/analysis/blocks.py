@@ -90,8 +90,9 @@ def _joined_words(each: Sequence[tuple[Words, ...]], sizes: Sequence[int]) -> tu
             before = said.setdefault(one, one)
             if isinstance(one, Flag):
                 own = {start + design: message for design, message in one.own.items()}
-                known = before.own if isinstance(before, Flag) and before is not one else {}
-                said[one] = Flag(one.text, one.pieces, {**known, **own})
+                if isinstance(before, Flag) and before is not one:
+                    own = {**before.own, **own}
+                said[one] = Flag(one.text, one.pieces, own)
         start += size
     return tuple(said.values())
 

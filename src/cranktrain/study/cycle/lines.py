@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from cranktrain.study.cycle.structure import KindSource, Shape
+from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape
 
 INDENT = "    "
 CRANK = "Direction(cos * ahead.cos - sin * ahead.sin, sin * ahead.cos + cos * ahead.sin)"
@@ -76,3 +76,10 @@ def body_lines(place: int, one: KindSource) -> list[str]:
 def indented(lines: Iterable[str], depth: int) -> Iterator[str]:
     """Lines so many steps deep."""
     return (f"{INDENT * depth}{line}" for line in lines)
+
+
+def arguments(structure: CycleStructure) -> str:
+    """Names of what is given of kinds and fluids."""
+    kinds = ", ".join(f"k{place}" for place in range(len(structure.kinds)))
+    fluids = ", ".join(f"f{place}" for place in range(len(structure.fluids)))
+    return ", ".join(filter(None, (kinds, fluids)))

@@ -2,7 +2,7 @@
 
 import itertools
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
@@ -11,12 +11,11 @@ from cranktrain.motion import Array
 from cranktrain.numerics.ties import ALIKE
 from cranktrain.one_line import short
 from cranktrain.saying.amounts import Amount
+from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import said_name
 from cranktrain.saying.sections import Column, Grid, Part
-from cranktrain.study.sweep.varied import Varied
-
-if TYPE_CHECKING:
-    from cranktrain.study.sweep.sweep import Sweep
+from cranktrain.study.sweep.facts import FactsOfRows
+from cranktrain.study.sweep.varied import SweptDesigns, Varied
 
 _MOST_LINES = 24
 """Of a table on the screen."""
@@ -30,7 +29,45 @@ _LONGEST_VALUE = 30
 """Characters of a value of a list, which may be a table."""
 
 
-def shown_facts(sweep: "Sweep") -> Iterator[Part]:
+class FactsAlong(Protocol):
+    """What is shown of a sweep, by the names that `Sweep` has."""
+
+    @property
+    def designs(self) -> SweptDesigns:
+        """Which designs there are."""
+        ...
+
+    @property
+    def found(self) -> FactsOfRows:
+        """Their facts."""
+        ...
+
+    @property
+    def catalogue(self) -> Mapping[str, Entry]:
+        """Facts by name."""
+        ...
+
+    @property
+    def along(self) -> tuple[Varied, ...]:
+        """What is varied, a dimension each."""
+        ...
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """How many values each has."""
+        ...
+
+    @property
+    def over(self) -> int | None:
+        """Which of these is the axis."""
+        ...
+
+    def apart(self, name: str) -> list[tuple[str, Array]]:
+        """Values of a fact by its members."""
+        ...
+
+
+def shown_facts(sweep: FactsAlong) -> Iterator[Part]:
     """Give the facts in columns, those that are alike in all designs in a sentence, and say what had no room."""
     own = 0 if sweep.over is None else sweep.over
     beside = [one for place, one in enumerate(sweep.along) if place != own]
@@ -84,7 +121,7 @@ def _combinations(beside: list[Varied]) -> list[tuple[str, ...]]:
     return list(itertools.product(*(one.texts for one in beside)))
 
 
-def _value_of_all(sweep: "Sweep", name: str) -> float | None:
+def _value_of_all(sweep: FactsAlong, name: str) -> float | None:
     """The value of a fact that all members of all designs have; None where they differ, or only one has any."""
     values = sweep.found.values[name]
     known = values[np.isfinite(values)]
@@ -93,7 +130,7 @@ def _value_of_all(sweep: "Sweep", name: str) -> float | None:
     return float(known[0])
 
 
-def _given(sweep: "Sweep", lines: list[int]) -> Iterator[Column]:
+def _given(sweep: FactsAlong, lines: list[int]) -> Iterator[Column]:
     """Values of designs that are listed, as they were typed."""
     if sweep.designs.is_listed:
         for one in sweep.designs.varied:
@@ -101,7 +138,7 @@ def _given(sweep: "Sweep", lines: list[int]) -> Iterator[Column]:
             yield Column(said_name(one.name), [short(texts[line], _LONGEST_VALUE) for line in lines])
 
 
-def _columns(sweep: "Sweep", name: str, lines: list[int], others: list[int]) -> Iterator[Column]:
+def _columns(sweep: FactsAlong, name: str, lines: list[int], others: list[int]) -> Iterator[Column]:
     """One fact over the lines: a column for each combination of the rest."""
     entry, over = sweep.found.entries[name], sweep.over or 0
     heads = _combinations([one for place, one in enumerate(sweep.along) if place != over])
