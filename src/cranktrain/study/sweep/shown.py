@@ -1,8 +1,8 @@
 """Facts of a sweep as they are shown: in columns, as many as a screen has room for, and what had no room."""
 
 import itertools
-from collections.abc import Iterator, Mapping
-from typing import Protocol
+from collections.abc import Callable, Iterator, Mapping
+from typing import NamedTuple
 
 import numpy as np
 
@@ -29,49 +29,36 @@ _LONGEST_VALUE = 30
 """Characters of a value of a list, which may be a table."""
 
 
-class FactsAlong(Protocol):
-    """What is shown of a sweep, by the names that `Sweep` has."""
+class FactsAlong(NamedTuple):
+    """What of a sweep is shown.
 
-    @property
-    def designs(self) -> SweptDesigns:
-        """Which designs there are."""
-        ...
+    Attributes
+    ----------
+    designs : SweptDesigns
+    found : FactsOfRows
+    catalogue : mapping of str to Entry
+        Facts that are shown, by name.
+    along : tuple of Varied
+        What is varied, a dimension each.
+    over : int or None
+        Which of these is the axis.
+    apart : callable
+        From a fact to its values by its members.
+    """
 
-    @property
-    def found(self) -> FactsOfRows:
-        """Their facts."""
-        ...
-
-    @property
-    def catalogue(self) -> Mapping[str, Entry]:
-        """Facts by name."""
-        ...
-
-    @property
-    def along(self) -> tuple[Varied, ...]:
-        """What is varied, a dimension each."""
-        ...
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """How many values each has."""
-        ...
-
-    @property
-    def over(self) -> int | None:
-        """Which of these is the axis."""
-        ...
-
-    def apart(self, name: str) -> list[tuple[str, Array]]:
-        """Values of a fact by its members."""
-        ...
+    designs: SweptDesigns
+    found: FactsOfRows
+    catalogue: Mapping[str, Entry]
+    along: tuple[Varied, ...]
+    over: int | None
+    apart: Callable[[str], list[tuple[str, Array]]]
 
 
 def shown_facts(sweep: FactsAlong) -> Iterator[Part]:
     """Give the facts in columns, those that are alike in all designs in a sentence, and say what had no room."""
     own = 0 if sweep.over is None else sweep.over
     beside = [one for place, one in enumerate(sweep.along) if place != own]
-    lines = evenly(sweep.shape[own], _MOST_LINES)
+    lines = evenly(len(sweep.along[own].values), _MOST_LINES)
     others = evenly(len(_combinations(beside)), _MOST_OTHERS)
     alike = {name: value for name in sweep.catalogue if (value := _value_of_all(sweep, name)) is not None}
     if len(alike) == len(sweep.catalogue):

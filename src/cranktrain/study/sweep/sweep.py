@@ -27,7 +27,7 @@ from cranktrain.saying.names import said_name
 from cranktrain.saying.run import Axis, BehindQuantity, Marks, RowHeads, Run
 from cranktrain.saying.sections import PagePart, section
 from cranktrain.study.sweep.facts import FactsOfRows
-from cranktrain.study.sweep.shown import shown_facts
+from cranktrain.study.sweep.shown import FactsAlong, shown_facts
 from cranktrain.study.sweep.varied import SweptDesigns, Varied
 
 _FIGURES = 9
@@ -274,7 +274,8 @@ class Sweep(Run):
 
     def sections(self) -> Iterator[PagePart]:
         """The facts in columns, as many as a screen has room for; and what cannot be."""
-        yield from section(_("Facts"), shown_facts(self))
+        shown = FactsAlong(self.designs, self.found, self.catalogue, self.along, self.over, self.apart)
+        yield from section(_("Facts"), shown_facts(shown))
         refusals = list(self._refusals())
         more = len(refusals) - _MOST_SENTENCES
         said: list[Words] = [*refusals[:_MOST_SENTENCES], *([_("and {n} more reasons", n=more)] if more > 0 else [])]
