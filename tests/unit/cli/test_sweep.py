@@ -185,13 +185,14 @@ def test_mistakes(typed, pump, tmp_path, arguments, said):
 
 
 def test_what_takes_long_has_to_be_meant(typed, pump, monkeypatch):
+    """It is told as soon as it is known how long a design takes, which some are computed for."""
     from cranktrain.study.sweep import computed
 
     monkeypatch.setattr(computed, "_LONG", 0.0)
-    answer = typed("sweep", pump, *RODS, "--vary", "speed=1..9 rpm:9")
+    answer = typed("sweep", pump, *RODS, "--vary", "speed=1..9 rpm:41")
     assert answer.status == 2
-    assert "is 45 designs, which take some" in answer.errors
-    assert typed("sweep", pump, *RODS, "--vary", "speed=1..9 rpm:9", "--yes").status == 0
+    assert "is 205 designs, which take some" in answer.errors
+    assert typed("sweep", pump, *RODS, "--vary", "speed=1..9 rpm:41", "--yes").status == 0
 
 
 def test_rows_and_columns_without_room_are_told(typed, pump):

@@ -13,7 +13,7 @@ FINEST = 8.0
 """By what panels are made narrower at most until they show all curves."""
 _RESOLVED = 1e-9
 """Last orders of the curves' series, in parts of the curves."""
-_BORNE = 1e-8
+_BORNE = 1e-9
 """Likewise of what others make of the curves."""
 _TURN = 2 * np.pi
 _ALONG_ROD = 2
