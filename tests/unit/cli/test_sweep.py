@@ -189,6 +189,7 @@ def test_what_takes_long_has_to_be_meant(typed, pump, monkeypatch):
     from cranktrain.study.sweep import computed
 
     monkeypatch.setattr(computed, "_LONG", 0.0)
+    monkeypatch.setattr(computed, "_MEASURED", 1e-9)
     answer = typed("sweep", pump, *RODS, "--vary", "speed=1..9 rpm:41")
     assert answer.status == 2
     assert "is 205 designs, which take some" in answer.errors
