@@ -4,7 +4,7 @@ What those give, largest torques, pressures, forces, how evenly it runs, is foun
 `run` make of that, on a grid without angles.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
 from typing import Any, NamedTuple
@@ -176,7 +176,7 @@ def _out_of_reach(parts: Parts) -> Words | None:
     if not isinstance(mechanisms, Mechanisms) or not isinstance(masses, Masses):
         return _("it has neither gas nor masses")
     kinds = [batch.kind for batch in mechanisms.batches]
-    if any("<locals>" in kind.motion.__qualname__ or kind.change_points is not None for kind in kinds):
+    if not all(_can_be_imported(kind.motion) and kind.change_points is None for kind in kinds):
         return _("its mechanism is a chain of links, or comes through change points")
     if not isinstance(speed, Speed) or speed.curve is not None:
         return _("it has no speed, or one that varies")
@@ -187,6 +187,11 @@ def _out_of_reach(parts: Parts) -> Words | None:
     if isinstance(gas, DeclaredGas) and any(table.fluid.breaks is not None for table in gas.tables):
         return _("its gas is a curve over the cycle")
     return None
+
+
+def _can_be_imported(kernel: Callable[..., object]) -> bool:
+    """Whether a written file can name a kernel; one that was joined of others for a chain has no name of its own."""
+    return "<locals>" not in kernel.__qualname__
 
 
 def _is_level(parts: Parts) -> bool:
