@@ -141,11 +141,12 @@ def _tops_at_points(cut: CutCycle, most: float, least: float, alike: float, tops
             height = heights[node]
             if height < enough or n_tops >= MOST_TOPS:
                 continue
-            # before a panel stands the one before it; of what is level the first
+            # before a panel stands the one before it; of what is level the first. Where the curve jumps down as a panel
+            # begins, it may rise again before the next point.
             before = heights[node - 1] if node > 0 else tops.height[(first if first > 0 else cut.n_points) - 1]
             after = heights[node + 1] if node < size - 1 else -np.inf
-            begins = height > before + alike
-            if (node > 0 and not begins) or height < before - alike or height < after - alike:
+            begins = abs(height - before) > alike if node == 0 else height > before + alike
+            if (node > 0 and not begins) or height < after - alike:
                 continue
             tops.panel[n_tops], tops.node[n_tops], tops.begins[n_tops] = panel, node, begins
             n_tops += 1

@@ -100,6 +100,22 @@ def test_a_top_beside_the_edge_of_a_panel(beside):
     assert (angle, value) == (pytest.approx(1.9 + beside, abs=1e-8), pytest.approx(3.0, rel=1e-15))
 
 
+def test_a_top_just_behind_a_jump_down():
+    """Between the first two points of the panel, of which the first is lower than what stands before the jump."""
+    own = Cut((2.0, 5.0))
+    values = own.laid(lambda phi: np.where(phi <= 5.0, 1.01 * np.cos(3 * (phi - 2.005)), -1.0))
+    first = own.panels.first[: own.count].tolist()
+    for panel, point in enumerate(first):  # each side of the jump has a value of its own
+        size = NODES.size[own.panels.size[panel]]
+        if own.panels.start[panel] >= 5.0 - 1e-9:
+            values[point : point + size] = 1.00995 - 0.1 * (2.0 + TURN - own.panels.angle[point : point + size])
+    angle, value = own.highest(values, 1.0)
+    assert (angle, value) == (pytest.approx(2.005, abs=1e-8), pytest.approx(1.01, rel=1e-12))
+    x, y = values + 0.0, own.laid(lambda phi: 0.0 * phi)
+    angle, value = largest_size(x, y, own.cut, own.tops)
+    assert (angle, value) == (pytest.approx(2.005, abs=1e-8), pytest.approx(1.01, rel=1e-12))
+
+
 def test_of_alike_tops_the_first_and_of_a_level_its_beginning():
     own = Cut((0.5, 2.0, 3.0))
     assert own.highest(own.laid(lambda phi: np.cos(3 * phi)), -1.0)[0] == pytest.approx(np.pi / 3, abs=1e-7)
