@@ -13,6 +13,7 @@ import cranktrain as ct
 from cranktrain.columns import in_columns
 from cranktrain.mechanisms import KINDS
 from cranktrain.study.cycle.road import CompiledWay, FactsOfCycles, facts_of_cycles, way_to
+from cranktrain.study.cycle.structure import CycleStructure
 
 N_DESIGNS = 20
 
@@ -22,13 +23,10 @@ def designs(name: str) -> list[ct.Machine]:
     return random_designs.designs(name, N_DESIGNS)
 
 
-OF_SHAFT = frozenset({"torque", "work", "flywheel", "given", "running"})
-"""What is asked of the loop where one part of a cycle that repeats itself is enough."""
-
-
 def of_shaft(machine: ct.Machine, fact: str) -> bool:
+    """Whether one part of a cycle that repeats itself is enough for a fact of the loop."""
     way = way_to(machine, [fact])
-    return isinstance(way, CompiledWay) and bool(way.asks) and way.asks <= OF_SHAFT
+    return isinstance(way, CompiledWay) and bool(way.asks) and CycleStructure((), (), way.asks).is_of_shaft
 
 
 @cache

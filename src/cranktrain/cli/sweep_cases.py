@@ -36,9 +36,9 @@ class Cases(NamedTuple):
 
     def placed(self, problem: Problem) -> Problem:
         """Put what is wrong with the path of a column to its head, and all else to the file."""
-        is_of_head = problem.given is None and problem.path in [one.path for one in self.heads]
         if problem.position is not None:
             return problem
+        is_of_head = problem.given is None and problem.path in [one.path for one in self.heads]
         return replace(problem, position=self.position if is_of_head else Position(self.position.file))
 
 

@@ -54,14 +54,13 @@ from cranktrain.study.cycle.numbers import NumbersOfKinds, nothing_found, of_gas
 from cranktrain.study.cycle.outcomes import ASKS, GRIDLESS, Cycles, bare
 from cranktrain.study.cycle.panels import panel_room
 from cranktrain.study.cycle.source import written_cycle, written_turning
-from cranktrain.study.cycle.structure import CycleStructure
+from cranktrain.study.cycle.structure import OF_EVENNESS, CycleStructure
 
 _LOOKED_AT = 16
 """Points of the turn of which the best is where a dead centre is looked for."""
 _BY_FORMULA = frozenset({"indicated_work", "indicated_mean_pressure"})
 """Facts of the gas that need no loop."""
 _OF_PEAKS = frozenset({"peak_pressure_at", "peak_pressure_after"})
-_OF_EVENNESS = frozenset({"work", "flywheel", "running"})
 
 
 class CompiledWay(NamedTuple):
@@ -142,7 +141,7 @@ def way_to(machine: Machine, wanted: Sequence[str]) -> CompiledWay | Words:
         asks.add("given")
     if "points" in asks and (reason := _no_bearings(parts)) is not None:
         return reason
-    if asks & _OF_EVENNESS and (reason := _no_evenness(parts)) is not None:
+    if asks & OF_EVENNESS and (reason := _no_evenness(parts)) is not None:
         return reason
     return CompiledWay(
         {name: home[name].gives for name in wanted}, tuple(kind for kind in ASKS if kind in rests), frozenset(asks)

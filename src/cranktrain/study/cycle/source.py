@@ -64,7 +64,7 @@ def written_turning(kinds: Sequence[KindSource]) -> WrittenLoops:
 def _put_together(imports: Imports, body: Sequence[str], called: Mapping[str, Callable[..., Any]]) -> WrittenLoops:
     """Put a module together."""
     head = [
-        '"""WrittenLoops for the structure of a machine; docs/scale."""',
+        '"""Loops for the structure of a machine; docs/scale."""',
         "",
         "import numpy as np",
         "",

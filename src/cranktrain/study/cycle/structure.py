@@ -18,7 +18,9 @@ class Shape(NamedTuple):
     fields: "tuple[Shape | None, ...]"
 
 
-_OF_SHAFT = frozenset({"torque", "work", "flywheel", "given", "running"})
+OF_EVENNESS = frozenset({"work", "flywheel", "given", "running"})
+"""What is asked of how evenly a machine runs."""
+_OF_SHAFT = OF_EVENNESS | {"torque"}
 
 
 def shape_of(parts: tuple[object, ...]) -> Shape:
@@ -70,7 +72,7 @@ class CycleStructure:
     @property
     def needs_inertia(self) -> bool:
         """Whether it is asked how evenly the machine runs."""
-        return bool(self.asks & {"work", "flywheel", "running"})
+        return bool(self.asks & OF_EVENNESS)
 
     @property
     def is_of_shaft(self) -> bool:
