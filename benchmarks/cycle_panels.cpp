@@ -15,7 +15,7 @@
 
 constexpr double PI = 3.14159265358979323846;
 constexpr int SIZES[4] = {8, 12, 18, 26}, MOST_POINTS = 1024, MOST_PANELS = 40;
-constexpr double SHARES[3] = {0.05, 0.2, 0.6}, WIDEST = 3.2, REACH = 2.8;
+constexpr double SHARES[3] = {0.05, 0.2, 0.5}, WIDEST = 3.2, REACH = 2.2;
 constexpr double LOOKED_AT = 0.02;  // of the range: a top between points may stand so much above these
 
 struct Design {

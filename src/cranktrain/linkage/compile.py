@@ -3,16 +3,23 @@
 from collections.abc import Callable
 from functools import cache
 from types import FunctionType, ModuleType
-from typing import ParamSpec, TypeVar, cast
+from typing import Any, ParamSpec, TypeVar, cast
 
 from cranktrain.motion import chosen
 
 Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
 
+WITHIN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+"""Of what other compiled code calls alone: what lets Python call a function takes as long to compile as itself."""
+
 
 def compiled(
-    kernel: Callable[Parameters, Outcome], *, faster: frozenset[str] = frozenset(), numpy: ModuleType | None = None
+    kernel: Callable[Parameters, Outcome],
+    *,
+    faster: frozenset[str] = frozenset(),
+    numpy: ModuleType | None = None,
+    within: bool = False,
 ) -> Callable[Parameters, Outcome]:
     """Compile a kernel and every kernel that it calls with Numba.
 
@@ -25,6 +32,8 @@ def compiled(
         unless given, so that what comes out is what the kernel itself gives, to the last bit.
     numpy : module, optional
         What stands for NumPy in the kernels.
+    within : bool
+        Whether it is called by other compiled code alone, and never from Python.
 
     Returns
     -------
@@ -38,17 +47,17 @@ def compiled(
     ImportError
         Where Numba is not installed: `pip install 'cranktrain[fast]'`.
     """
-    return cast(Callable[Parameters, Outcome], _compiled(kernel, faster, numpy))
+    return cast(Callable[Parameters, Outcome], _compiled(kernel, faster, numpy, within))
 
 
 @cache
-def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None) -> object:
+def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, within: bool) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     import numba
 
     teach_choices()
     callees = {
-        name: _compiled(called, faster, numpy)
+        name: _compiled(called, faster, numpy, within=True)
         for name in kernel.__code__.co_names
         if isinstance(called := kernel.__globals__.get(name), FunctionType) and called is not chosen
     }
@@ -60,7 +69,8 @@ def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | 
     # which costs a sixth of its time; a kernel's private parts it may weigh, or long kernels would take minutes.
     # Said in so many words, as else it would take after the function that calls it first.
     inlined = not kernel.__name__.startswith("_")
-    return numba.njit(error_model="numpy", fastmath=set(faster) or False, forceinline=inlined)(copy)
+    options = WITHIN if within else {}
+    return numba.njit(error_model="numpy", fastmath=set(faster) or False, forceinline=inlined, **options)(copy)
 
 
 @cache

@@ -1,7 +1,7 @@
 """Roots and extremes of many curves at once, to rounding: curves are kernels, so nothing is read off a grid."""
 
 from cranktrain.numerics.extremes import Extremes, extremes, largest, smallest, turning_points
-from cranktrain.numerics.pieces import Curves, Peak, in_slots, in_windows, largest_between, peaks_in, windows_between
+from cranktrain.numerics.pieces import Curves, Peak, largest_between
 from cranktrain.numerics.roots import Curve, bracketed_roots, near_roots
 from cranktrain.numerics.series import (
     DERIVATIVES_LIMIT,
@@ -22,6 +22,7 @@ from cranktrain.numerics.subintervals import (
     subintervals,
 )
 from cranktrain.numerics.tops import Extreme
+from cranktrain.numerics.windows import in_slots, in_windows
 
 __all__ = [
     "DERIVATIVES_LIMIT",
@@ -43,7 +44,6 @@ __all__ = [
     "largest",
     "largest_between",
     "near_roots",
-    "peaks_in",
     "points_together",
     "shows",
     "slower_over_faster",
@@ -53,5 +53,4 @@ __all__ = [
     "turn_grid",
     "turning_points",
     "unwrapped",
-    "windows_between",
 ]

@@ -5,7 +5,7 @@ from functools import cache
 from types import CellType, FunctionType
 from typing import Any, ParamSpec, TypeVar, cast
 
-from cranktrain.linkage.compile import teach_choices
+from cranktrain.linkage.compile import WITHIN, teach_choices
 from cranktrain.motion import chosen
 
 _UNCOUNTED: dict[str, Any] = {"_nrt": False}
@@ -20,25 +20,25 @@ _AS_WRITTEN: frozenset[str] = frozenset()
 
 
 def quick(
-    function: Callable[Parameters, Outcome], faster: frozenset[str] = _AS_WRITTEN
+    function: Callable[Parameters, Outcome], faster: frozenset[str] = _AS_WRITTEN, *, within: bool = False
 ) -> Callable[Parameters, Outcome]:
     """Compile a function, and those that it calls by its globals or that were joined into it, once.
 
     What Numba has compiled already is taken as it is. Faster says how sums and products may be put together otherwise
-    than they are written, in the words of LLVM.
+    than they are written, in the words of LLVM; within, whether other compiled code alone calls it, and never Python.
     """
-    return cast(Callable[Parameters, Outcome], _quick(function, faster))
+    return cast(Callable[Parameters, Outcome], _quick(function, faster, within))
 
 
 @cache
-def _quick(function: Any, faster: frozenset[str]) -> Any:
+def _quick(function: Any, faster: frozenset[str], within: bool) -> Any:
     if not isinstance(function, FunctionType):
         return function
     import numba
 
     teach_choices()
     callees = {
-        name: _quick(called, faster)
+        name: _quick(called, faster, within=True)
         for name in function.__code__.co_names
         if isinstance(called := function.__globals__.get(name), FunctionType) and called is not chosen
     }
@@ -50,8 +50,9 @@ def _quick(function: Any, faster: frozenset[str]) -> Any:
     )
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
+    options = {**_UNCOUNTED, **(WITHIN if within else {})}
     made: Any = numba.njit(
-        error_model="numpy", nogil=True, fastmath=set(faster) or False, forceinline=is_part, **_UNCOUNTED
+        error_model="numpy", nogil=True, fastmath=set(faster) or False, forceinline=is_part, **options
     )
     return made(copy)
 
@@ -63,7 +64,7 @@ def _cells(closure: tuple[CellType, ...] | None, faster: frozenset[str]) -> tupl
 
 def _inner(value: Any, faster: frozenset[str]) -> Any:
     if isinstance(value, FunctionType):
-        return _quick(value, faster)
+        return _quick(value, faster, within=True)
     if isinstance(value, tuple):
         together: Any = cast(tuple[object, ...], value)
         return type(together)(*(_inner(each, faster) for each in together))

@@ -126,6 +126,33 @@ def test_a_top_between_breaks_beside_a_higher_point():
     assert (found.angle[0], found.value[0]) == pytest.approx((kinks[0, 0] + 1.9 * step, 2.0), abs=1e-9)
 
 
+@pytest.mark.parametrize("narrow", (0.3, 0.7, 2.0))
+def test_a_top_beside_a_pole(narrow):
+    """A pulse no wider than a step or two, whose poles lie as near: nine points do not show its height."""
+    step = GRID[1]
+    at = 200.37 * step
+
+    def curve(angle):
+        return 1.0 / (1.0 + ((angle - at) / (narrow * step)) ** 2)
+
+    found = largest_between(lambda _which, angle: curve(angle), GRID, curve(GRID)[np.newaxis], np.empty((1, 0)))
+    assert found.value[0] == pytest.approx(1.0, abs=1e-12)
+    assert found.angle[0] == pytest.approx(at, abs=1e-5 * step)
+
+
+@pytest.mark.parametrize("way", np.linspace(-0.5, 0.5, 17))
+def test_a_top_midway_between_places_that_are_tried(way):
+    """Two of them are alike there, which is not yet level."""
+    step = GRID[1]
+    at = (200 + way * 1.2 / 32) * step
+
+    def curve(angle):
+        return 4.0 + np.cos(30.0 * (angle - at)) * np.cos((angle - at) / 4) ** 2
+
+    found = largest_between(lambda _which, angle: curve(angle), GRID, curve(GRID)[np.newaxis], np.empty((1, 0)))
+    assert (found.angle[0], found.value[0]) == pytest.approx((at, 5.0), abs=1e-11)
+
+
 def test_a_flat_top_is_no_break_before_it():
     """A hundredth of a degree before it the curve is as high but for rounding."""
     breaks = np.deg2rad(np.arange(4.1, 720.0, 1.0))[np.newaxis]

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from cranktrain.language import Listed, Words, _
 from cranktrain.layout.crank_angle import CrankAngle, within
 from cranktrain.motion import Array
-from cranktrain.numerics import Curve, Peak, in_windows, largest_between, peaks_in, windows_between
+from cranktrain.numerics import Curve, Peak, in_windows, largest_between
 from cranktrain.questions.forces.events import ForceEvents
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.record import record
@@ -70,15 +70,15 @@ def largest_together(
     rows = np.concatenate([one.rows for one in each])
     shown, zero = crank_angle.shown, crank_angle.zero
     samples = np.concatenate([one.samples for one in each], axis=1)
-    windows = windows_between(shown, samples, _breaks(events, rows) - zero)
 
     def picked(angle: Array) -> Array:
         solved = loaded.solved(angle)
         return np.concatenate([one.pick(solved) for one in each], axis=1)
 
-    design = windows.row // rows.size
-    values = loaded.of_each(rows, windows.row, windows.angle + zero[design, 0], picked)
-    found = peaks_in(windows, values)
+    def curves(which: NDArray[np.intp], angle: Array) -> Array:
+        return loaded.of_each(rows, which, angle + zero[which // rows.size, 0], picked)
+
+    found = largest_between(curves, shown, samples, _breaks(events, rows) - zero)
     ends = np.cumsum([one.rows.size for one in each])[:-1]
     apart = zip(*(np.split(part, ends, axis=1) for part in found), strict=True)
     return [counted(Peak(*parts), crank_angle) for parts in apart]

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, ParamSpec, TypeVar
 import numpy as np
 
 from cranktrain.linkage import compiled as compiled_kernel
+from cranktrain.linkage.compile import WITHIN
 from cranktrain.motion import Array
 from cranktrain.study.cycle import given, nodes, panels
 from cranktrain.study.cycle.kept import keep
@@ -98,25 +99,27 @@ def plain_numpy() -> ModuleType:
     overload(operator.add, strict=False)(compiled_sum)
     module = ModuleType("plain_numpy")
     vars(module).update({name: thing for name, thing in vars(np).items() if isinstance(thing, np.ufunc | float)})
-    vars(module).update(cos=cosine, sin=sine, arctan2=not_asked, power=compiled_kernel(power, faster=_AS_WRITTEN))
+    vars(module).update(
+        cos=cosine, sin=sine, arctan2=not_asked, power=compiled_kernel(power, faster=_AS_WRITTEN, within=True)
+    )
     return module
 
 
 def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile a kernel, to stand in the loop that calls it."""
-    return compiled_kernel(function, faster=FASTER, numpy=plain_numpy())
+    return compiled_kernel(function, faster=FASTER, numpy=plain_numpy(), within=True)
 
 
-def called(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
-    """Compile a long loop, which is called, and keep what comes out."""
-    compiled = quick(function, FASTER)
+def called(function: Callable[Parameters, Outcome], *, within: bool = True) -> Callable[Parameters, Outcome]:
+    """Compile a long loop, which is called, within compiled code or from Python, and keep what comes out."""
+    compiled = quick(function, FASTER, within=within)
     keep(compiled, function, *sorted(FASTER), *map(getsource, (given, nodes, panels)))
     return compiled
 
 
 def part(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile a part of a written module, to stand where it is called."""
-    return _compiled(function, forceinline=True)
+    return _compiled(function, forceinline=True, **WITHIN)
 
 
 def loop(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:

@@ -293,7 +293,9 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: CompiledWay) -> 
 
     def of_vectors(loads: Array) -> Array:
         told = np.full((*loads.shape[:2], 3), np.nan)
-        called(tell_vectors)(0, n_designs, tables, panel_room(tables), turning, found, loads, told, work.tops)
+        called(tell_vectors, within=False)(
+            0, n_designs, tables, panel_room(tables), turning, found, loads, told, work.tops
+        )
         return told
 
     names = tuple(joint.name for joint in joints)

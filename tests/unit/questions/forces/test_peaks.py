@@ -57,3 +57,13 @@ def test_what_never_closes_has_no_largest_force(fact):
         mechanism=mechanism, shaft={"main": {"speed": "3000 rpm"}}, masses={"piston": {"mass": "1 kg"}}
     )
     assert np.all(np.isnan(getattr(ct.run(machine, partial=True, quantities=fact), fact)))
+
+
+def test_the_largest_force_as_a_punch_breaks_through_is_what_its_curve_comes_to():
+    """Where the work's force falls off no polynomial through a window shows it; a cubic just beyond does."""
+    press = ct.run(ct.load("high_slip_press"), step_degrees=0.01)
+    load = np.hypot(press.crankpin_load_radial, press.crankpin_load_tangential)[0]
+    at = float(press.largest_crankpin_load_at[0])
+    beyond = np.arange(4) + int(np.ceil(100 * at))
+    cubic = np.polynomial.Polynomial.fit(beyond / 100 - at, load[beyond], 3)
+    assert press.largest_crankpin_load[0] == pytest.approx(cubic(0.0), rel=1e-9)
