@@ -77,7 +77,7 @@ def compared(name: str, machines: list[ct.Machine], wanted: list[str], shows_all
         if found[0].entries[fact].unit == "deg":  # tops that are alike stand where rounding has them
             continue
         each = [
-            parts_apart(one.values[fact][: len(exact[fact])], exact[fact])
+            parts_apart(fact, one.values[fact][: len(exact[fact])], exact)
             for one, exact in zip(found, by_run, strict=True)
         ]
         apart = np.where(known, np.concatenate(each), 0.0)

@@ -18,6 +18,8 @@ EXAMPLES = (
 )
 _EVEN = ("excess", "flywheel", "fluctuation", "crank_speed", "mean_speed_over_angle", "mean_speed_of_extremes")
 """Of what is made of integrals of the torque."""
+_EXTREMES = ("largest_torque", "smallest_torque")
+"""Of one curve, in parts of whose largest size both are exact: one of them may be next to nothing."""
 
 
 def most_apart(fact: str) -> float:
@@ -78,10 +80,12 @@ def facts_by_run(machines: list[ct.Machine], facts: list[str]) -> dict[str, np.n
     return {fact: np.array(getattr(result, fact)) for fact in facts}
 
 
-def parts_apart(values: np.ndarray, exact: np.ndarray) -> np.ndarray:
-    """By how much facts of designs are apart, in parts of each design's largest; NaN where only one is a number."""
+def parts_apart(fact: str, values: np.ndarray, by_run: Mapping[str, np.ndarray]) -> np.ndarray:
+    """By how much a fact of designs is apart, in parts of each design's largest; NaN where only one is a number."""
+    exact = by_run[fact]
     of_members = tuple(range(1, exact.ndim))
-    scale = np.nanmax(np.abs(exact), axis=of_members, initial=0.0)
+    like_it = [by_run[one] for one in _EXTREMES if one in by_run] if fact in _EXTREMES else [exact]
+    scale = np.max([np.nanmax(np.abs(one), axis=of_members, initial=0.0) for one in like_it], axis=0)
     off = np.nanmax(
         np.where(np.isnan(values) & np.isnan(exact), 0.0, np.abs(values - exact)), axis=of_members, initial=0.0
     )

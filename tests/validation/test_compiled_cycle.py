@@ -66,7 +66,7 @@ def compare(found: FactsOfCycles, by_run: Mapping[str, np.ndarray]) -> None:
             apart = np.abs(np.mod(np.nan_to_num(values - exact) + 180, 360) - 180)
             assert np.median(apart) < 1e-6, fact
             continue
-        assert np.max(parts_apart(values, exact)) <= most_apart(fact), fact
+        assert np.max(parts_apart(fact, values, by_run)) <= most_apart(fact), fact
 
 
 @pytest.mark.parametrize("name", CLOSED_FORMS)

@@ -14,6 +14,8 @@ from cranktrain.record import record
 
 _MOST_STEPS, _SETTLED = 30, 1e-5
 """A step of Halley's method, which takes the curvature too, after which the next one is less than rounding. [rad]"""
+_NEAR_POLE = np.pi / 18
+"""How near to a firing a pole of the pressure is of which pieces between events know nothing. [rad]"""
 
 
 @record
@@ -24,7 +26,7 @@ class GasEvents:
     ----------
     angle : Array, shape (design, chamber, event)
         φ of each chamber's dead centres, kinks and ends of pieces of a measured card in a cycle of the machine, which
-        may be two of the gas; NaN for none. [rad]
+        may be two of the gas, and of places beside a firing at which the volume is next to nothing; NaN for none. [rad]
     least : Coefficient, shape (design, distinct, 1)
         Volume of the gas's distinct chambers at their firing. [m³, m³/rad, m³/rad²]
     named : mapping of str to Array, shape (design, chamber)
@@ -42,11 +44,30 @@ def gas_events(gas: GasInChambers, travel: CylinderTravel, crank_angle: CrankAng
     turns = 2 * np.pi * np.arange(round(gas.cycle / (2 * np.pi)))
     least = _volume_at(gas, firing[:, gas.distinct, np.newaxis], gas.distinct)
     kinks = _kinks(gas, firing, least)
-    once = [firing[..., np.newaxis] + turns, opposite[..., np.newaxis] + turns, kinks, gas.firing + _breaks(gas)]
+    centres = firing[..., np.newaxis] + turns
+    design = np.arange(len(firing))[:, np.newaxis]
+    beside = [centres + away[design, gas.among_distinct] for away in _beside_poles(least)]
+    once = [centres, opposite[..., np.newaxis] + turns, kinks, gas.firing + _breaks(gas), *beside]
     cycles = gas.cycle * np.arange(round(crank_angle.cycle / gas.cycle))
     return GasEvents(
         np.concatenate([angle + cycle for cycle in cycles for angle in once], axis=-1), least, _named(gas, kinks)
     )
+
+
+def _beside_poles(least: Coefficient) -> list[Array]:
+    """From a firing: where pieces have to end as the pressure has a pole near it, shapes (design, distinct, 1). [rad]
+
+    Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ: a piece reaches as far as that, three times as
+    far, and so on. None where all poles are farther than pieces are wide.
+    """
+    with np.errstate(all="ignore"):
+        away = np.sqrt(2 * least.value / least.second)
+    reach = np.where((away > 0) & (away < _NEAR_POLE), away, np.nan)
+    found: list[Array] = []
+    while np.any(reach < 2 * _NEAR_POLE):
+        found += [-reach, reach]
+        reach = np.where(3 * reach < 2 * _NEAR_POLE, 3 * reach, np.nan)
+    return found
 
 
 def _named(gas: GasInChambers, kinks: Array) -> dict[str, Array]:

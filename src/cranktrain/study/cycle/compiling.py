@@ -99,9 +99,7 @@ def plain_numpy() -> ModuleType:
     overload(operator.add, strict=False)(compiled_sum)
     module = ModuleType("plain_numpy")
     vars(module).update({name: thing for name, thing in vars(np).items() if isinstance(thing, np.ufunc | float)})
-    vars(module).update(
-        cos=cosine, sin=sine, arctan2=not_asked, power=compiled_kernel(power, faster=_AS_WRITTEN, within=True)
-    )
+    vars(module).update(cos=cosine, sin=sine, arctan2=not_asked, power=compiled_kernel(power, faster=_AS_WRITTEN))
     return module
 
 
