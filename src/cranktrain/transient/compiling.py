@@ -5,11 +5,8 @@ from functools import cache
 from types import CellType, FunctionType
 from typing import Any, ParamSpec, TypeVar, cast
 
-from cranktrain.linkage.compile import WITHIN, teach_choices
+from cranktrain.linkage.compile import UNCOUNTED, WITHIN, teach_choices
 from cranktrain.motion import chosen
-
-_UNCOUNTED: dict[str, Any] = {"_nrt": False}
-"""Loops make no arrays: to count who holds those given would take a third of the time."""
 
 Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
@@ -50,7 +47,7 @@ def _quick(function: Any, faster: frozenset[str], within: bool) -> Any:
     )
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
-    options = {**_UNCOUNTED, **(WITHIN if within else {})}
+    options = WITHIN if within else UNCOUNTED
     made: Any = numba.njit(
         error_model="numpy", nogil=True, fastmath=set(faster) or False, forceinline=is_part, **options
     )

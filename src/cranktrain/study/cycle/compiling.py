@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, ParamSpec, TypeVar
 import numpy as np
 
 from cranktrain.linkage import compiled as compiled_kernel
-from cranktrain.linkage.compile import WITHIN
+from cranktrain.linkage.compile import UNCOUNTED, WITHIN
 from cranktrain.motion import Array
 from cranktrain.study.cycle import given, nodes, panels
 from cranktrain.study.cycle.kept import keep
@@ -122,7 +122,7 @@ def part(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcom
 
 def loop(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile the outermost loop of a written file, whose name says what it is made of, and keep what comes out."""
-    compiled = _compiled(function, nogil=True)
+    compiled = _compiled(function, nogil=True, **UNCOUNTED)
     keep(compiled, function)
     return compiled
 
@@ -131,4 +131,4 @@ def _compiled(function: Callable[Parameters, Outcome], **options: Any) -> Callab
     import numba
 
     njit: Any = numba.njit
-    return njit(error_model="numpy", fastmath=set(FASTER), _nrt=False, **options)(function)
+    return njit(error_model="numpy", fastmath=set(FASTER), **options)(function)
