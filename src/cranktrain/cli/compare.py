@@ -12,11 +12,11 @@ from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.sections import show_sections
 from cranktrain.cli.screen.text import page
-from cranktrain.cli.screen.title import title
 from cranktrain.cli.why import refuse_beside, show_why
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.examples import example_called
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.io.title import title
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.record import record

@@ -18,9 +18,9 @@ from cranktrain.analysis.curve_columns import (
     of_member,
 )
 from cranktrain.cli.number_lists import exact, numbers_listed
-from cranktrain.cli.screen.title import title
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
+from cranktrain.io.title import title
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array

@@ -75,8 +75,8 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
     file = request.read()
     with in_units_of(file, asked):
         if request.why is not None:
-            from cranktrain.cli.screen.title import title
             from cranktrain.cli.why import show_why
+            from cranktrain.io.title import title
 
             result = request.result(file, step_degrees=request.step_degrees)
             show_why(title(file.machine), result, request.why, file)
@@ -137,8 +137,8 @@ def _show_parts(file: MachineFile, result: Result, request: RunRequest, shown: S
     """Show what was asked for by options."""
     from cranktrain.analysis.result_sections import check_section, missing_section, result_sections
     from cranktrain.cli.screen.sections import show_sections
-    from cranktrain.cli.screen.title import title
     from cranktrain.io.input_sections import input_section, provenance_section
+    from cranktrain.io.title import title
 
     with page(title(file.machine)) as console:
         if shown.full:

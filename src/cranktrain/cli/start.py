@@ -11,11 +11,11 @@ from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.number_lists import numbers_listed
 from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.sections import show_page
-from cranktrain.cli.screen.title import title
 from cranktrain.cli.why import refuse_beside, show_why
 from cranktrain.errors import Position, Problem, problems_as, refuse
 from cranktrain.how_far import say_how_far
 from cranktrain.io.machine_file import read_machine
+from cranktrain.io.title import title
 from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line

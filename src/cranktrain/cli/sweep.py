@@ -12,11 +12,11 @@ from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.options import n_processors
 from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.sections import show_page
-from cranktrain.cli.screen.title import title
 from cranktrain.cli.sweep_cases import cases_of
 from cranktrain.errors import Position, Problem, problems_as, refuse
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import write_machine_file
+from cranktrain.io.title import title
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.record import record

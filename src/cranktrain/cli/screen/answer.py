@@ -4,19 +4,18 @@ from collections.abc import Iterator, Sequence
 
 from rich.text import Text
 
-from cranktrain.analysis import Result, sentences
+from cranktrain.analysis import Result
+from cranktrain.analysis.minded import to_mind
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import group_lines
 from cranktrain.cli.screen.text import folded
-from cranktrain.cli.screen.title import title_lines
 from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.grouping import grouped
 from cranktrain.io.machine_file import MachineFile
+from cranktrain.io.title import headed
 from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.one_line import visible
-from cranktrain.saying.wording import in_print
-from cranktrain.texts.comparison import TextbookMotion
 
 _MOST_LINES = 3
 """Of one flag; `--full` has the rest."""
@@ -42,7 +41,7 @@ def answer_lines(file: MachineFile, result: Result, name: str, width: int) -> It
     Text
         Lines.
     """
-    first, *more = title_lines(result, width)
+    first, *more = [line for part in headed(result) if part for line in folded(part, width)]
     blocks = (
         [Text(first, style="bold"), *map(Text, more), *map(Text, conditions(result, width))],
         map(Text, minded_lines(result, width)),
@@ -64,16 +63,9 @@ def conditions(result: Result, width: int) -> Iterator[str]:
 
 
 def minded(result: Result) -> list[str]:
-    """Give sentences to mind; ranges of textbook forms stand with these."""
-    book = result.get(TextbookMotion)
-    of_books = () if book is None else book.flags
-    failed = [
-        _("A check does not hold: {sentence}", sentence=check.sentence)
-        for check in result.checks
-        if check.judged[0] and not check.passed[0]
-    ]
-    flags = [in_print(str(flag)) for flag in result.flag_words if flag not in of_books]
-    return [*map(str, sentences(result.unused)), *failed, *joined(flags)]
+    """Give sentences to mind, those that say the same of several in one."""
+    unused, failed, flags = to_mind(result)
+    return [*unused, *failed, *joined(flags)]
 
 
 def joined(flags: Sequence[str]) -> Iterator[str]:

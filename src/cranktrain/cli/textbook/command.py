@@ -6,11 +6,11 @@ from dataclasses import replace
 from cranktrain.analysis import run
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.cli.screen.sections import show_page
-from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.cli.textbook.typed import OF_FORCES, TextbookRequest
 from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.io.examples import example_names
+from cranktrain.io.title import title
 from cranktrain.language import N_
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line

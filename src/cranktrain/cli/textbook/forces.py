@@ -1,10 +1,10 @@
 """`textbook --forces`: reads whose forces are asked for, and shows their tables."""
 
 from cranktrain.cli.screen.sections import show_page
-from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.source import machine_file
 from cranktrain.cli.textbook.typed import TextbookRequest
 from cranktrain.errors import problems_as, refuse
+from cranktrain.io.title import title
 from cranktrain.language import said as _
 from cranktrain.plans.force_table import force_table
 from cranktrain.textbook.commands import textbook_command

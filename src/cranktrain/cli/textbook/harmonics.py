@@ -1,10 +1,10 @@
 """`textbook --harmonics`: reads the machine, or the ratio, whose harmonics are asked for, and shows them."""
 
 from cranktrain.cli.screen.sections import show_page
-from cranktrain.cli.screen.title import title
 from cranktrain.cli.textbook.source import file_missing, machine_file
 from cranktrain.cli.textbook.typed import OF_FORCES, TextbookRequest
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.io.title import title
 from cranktrain.language import said as _
 from cranktrain.quantities import Dimension, Quantity
 from cranktrain.questions.torque.rod_harmonics import MOST_RATIO

@@ -1,9 +1,8 @@
-"""Which machine this is: in one line, or in two with what it is made of."""
+"""Which machine this is: in one line, or its name and what it is made of."""
 
 from collections.abc import Iterator
 
 from cranktrain.analysis import Result
-from cranktrain.cli.screen.text import folded
 from cranktrain.grouping import places_of_equal
 from cranktrain.io.description import counted_parts, kind_words, layout_words, longer_cycle_words
 from cranktrain.language import said as _
@@ -42,12 +41,11 @@ def _shafts(machine: Machine) -> str:
     return _("shafts {shafts}", shafts=", ".join(said))
 
 
-def title_lines(result: Result, width: int) -> list[str]:
-    """Say which machine this is: its name; what it is made of, its cycle, speed and sense. In a width of columns."""
+def headed(result: Result) -> tuple[str, str]:
+    """Say which machine this is: its name; and what it is made of, its cycle, speed and sense."""
     machine = result.machines[0]
-    name = one_line(machine.name.strip())
     said = one_line(_BETWEEN.join(filter(None, (_made_of(machine), _cycle(result), _turning(machine)))))
-    return [line for part in (name, said) if part for line in folded(part, width)]
+    return one_line(machine.name.strip()), said
 
 
 def _made_of(machine: Machine) -> str:
