@@ -7,9 +7,9 @@ import pytest
 import cranktrain as ct
 from cranktrain.cli import main
 from cranktrain.io.examples import example_names
+from cranktrain.panels.figures import aligned, column
 from cranktrain.saying.amounts import figures
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import aligned, column
 
 NOTHING = 1e-9
 """Of the largest of a column, and of the unit in which it stands; of an angle, of a turn."""

@@ -3,14 +3,19 @@
 from collections.abc import Sequence
 from typing import TypeAlias
 
+import numpy as np
+
 from cranktrain.analysis import Result, sentences
 from cranktrain.language import Message, Words
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.panels.shapes import Bars, Panel, PolarDiagram, Rays, ShaftShape
+from cranktrain.panels.figures import column
+from cranktrain.panels.shapes import Bars, Panel, PolarDiagram, Rays, ShaftShape, peak
 from cranktrain.panels.throw_scene import Scene
 from cranktrain.record import record
+from cranktrain.saying.scales import scale_for
+from cranktrain.saying.wording import ABSENT
 
 
 @record
@@ -115,6 +120,16 @@ class TableColumn:
     beside: float = 0.0
     decimals: int | None = None
     group: str = ""
+
+
+def column_texts(of: TableColumn) -> list[str]:
+    """Write the cells of a column."""
+    cells = of.cells
+    if not isinstance(cells, np.ndarray):
+        return list(map(str, cells))
+    if of.decimals is not None:
+        return [f"{one:.{of.decimals}f}" if np.isfinite(one) else ABSENT for one in cells.tolist()]
+    return column(cells.tolist(), scale_for(of.unit or "1", max(peak(cells), of.beside)))
 
 
 @record

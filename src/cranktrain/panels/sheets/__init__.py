@@ -9,11 +9,16 @@ from pkgutil import iter_modules
 from cranktrain.panels.picture import Picture
 
 
+def pictures_of(question: str) -> tuple[Picture, ...]:
+    """Give the pictures of a question, by the name of its folder; none of one that has no folder here."""
+    known = {module.name for module in iter_modules(__path__)}
+    return tuple(import_module(f"{__name__}.{question}").PICTURES) if question in known else ()
+
+
 def _in_order() -> list[Picture]:
     """All of them by the names of their questions, but one that follows another question's behind that."""
-    found: list[Picture] = []
-    for question in sorted(module.name for module in iter_modules(__path__)):
-        found += import_module(f"{__name__}.{question}").PICTURES
+    names = sorted(module.name for module in iter_modules(__path__))
+    found = [picture for question in names for picture in pictures_of(question)]
     for picture in [one for one in found if one.follows]:
         found.remove(picture)
         found.insert([one.name for one in found].index(picture.follows) + 1, picture)

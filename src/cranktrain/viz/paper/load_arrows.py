@@ -12,11 +12,11 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
 from cranktrain.one_line import short
+from cranktrain.panels.figures import with_unit
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.vectors import angle_of, turned_left
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.sketch import Habit, Line, Wish
 

@@ -2,16 +2,10 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from cranktrain.language import _
 from cranktrain.numerics.ties import falling
 from cranktrain.panels.formulas import is_formula
-from cranktrain.panels.parts import Table, TableColumn
-from cranktrain.panels.shapes import peak
-from cranktrain.saying.scales import scale_for
-from cranktrain.saying.wording import ABSENT
-from cranktrain.viz.figures import column
+from cranktrain.panels.parts import Table, column_texts
 from cranktrain.viz.paper.page import LINE, Box, Page
 from cranktrain.viz.paper.polar import line_of_method
 from cranktrain.viz.paper.style import SYMBOL, TEXT
@@ -46,7 +40,7 @@ def draw_table(page: Page, table: Table, box: Box) -> None:
     while n > 1 and table_height(table, line, n) > box.height + _ROUNDING:
         n -= 1
     kept = list(range(n)) if table.ranks is None else sorted(falling(table.ranks)[:n])
-    texts = [_texts(one) for one in table.columns]
+    texts = [column_texts(one) for one in table.columns]
     top = box.bottom + box.height
     if table.title:
         page.heading(box.left, top - 3.0, str(table.title))
@@ -65,16 +59,6 @@ def draw_table(page: Page, table: Table, box: Box) -> None:
     said = table.left_out or _("and {n} more")
     left_out = [said.format(n=table.n_rows - n)] if n < table.n_rows else []
     page.notes(box.left, below, map(str, (*left_out, *table.notes)))
-
-
-def _texts(of: TableColumn) -> list[str]:
-    """Write the cells of a column."""
-    cells = of.cells
-    if not isinstance(cells, np.ndarray):
-        return list(map(str, cells))
-    if of.decimals is not None:
-        return [f"{one:.{of.decimals}f}" if np.isfinite(one) else ABSENT for one in cells.tolist()]
-    return column(cells.tolist(), scale_for(of.unit or "1", max(peak(cells), of.beside)))
 
 
 def _write_groups(page: Page, table: Table, groups: Sequence[str], place: tuple[float, float, float]) -> None:

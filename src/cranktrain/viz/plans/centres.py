@@ -8,6 +8,7 @@ from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
+from cranktrain.panels.figures import figure
 from cranktrain.panels.formulas import formula, mathematics
 from cranktrain.plans.centres import Centre, InstantCentres, TurningBody, instant_centres
 from cranktrain.plans.positions import PositionPlan, fitting
@@ -15,7 +16,6 @@ from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.saying.names import said_name
 from cranktrain.saying.scales import scale_for
 from cranktrain.texts.crank_rocker import pin_velocity_ratio
-from cranktrain.viz.figures import figure
 from cranktrain.viz.paper.page import Figure, drawing_settings
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels
 from cranktrain.viz.paper.tables import write_table

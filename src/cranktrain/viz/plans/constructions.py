@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
+from cranktrain.panels.figures import aligned, degrees, rounded, with_unit
 from cranktrain.plans.constructions import Construction, Method, construction
 from cranktrain.plans.placement import plain_crank_called
 from cranktrain.plans.positions import chosen_scale, scale_words
@@ -14,7 +15,6 @@ from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.saying.percents import percent
 from cranktrain.saying.scales import scale_for
 from cranktrain.texts.largest_errors import errors_by_ratio
-from cranktrain.viz.figures import aligned, degrees, rounded, with_unit
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.style import MUTED
 from cranktrain.viz.paper.tables import ROW

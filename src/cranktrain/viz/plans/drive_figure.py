@@ -10,12 +10,12 @@ from cranktrain.language import said as _
 from cranktrain.mechanisms.crank_rocker.kinematics import crank_rocker
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import largest_of
+from cranktrain.panels.figures import figure
 from cranktrain.plans.stroke_lines import unit
 from cranktrain.references import REFERENCES
 from cranktrain.texts.crank_rocker_drive import Directions, centre_distances, crank_pin_force, directions, rod_force
 from cranktrain.texts.drive_curves import Thing, Verdict, curve_facts, dead_positions, drive_curves, values_at
 from cranktrain.texts.drive_table import CrankRockerDrive
-from cranktrain.viz.figures import figure
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.curves import axes_in
 from cranktrain.viz.paper.page import MARGIN, Axes, Box, Figure, Page, drawing_settings, fitting_scale, paper

@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 
 from cranktrain.language import said as _
+from cranktrain.panels.figures import figure, with_unit
 from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.drive_scheme import MEANINGS, ChainFact, DriveElement, DriveShaft
 from cranktrain.quantities import shown
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.plans.drive_chain import roman
 
 _LETTER = 1.56

@@ -7,13 +7,13 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
+from cranktrain.panels.figures import with_unit
 from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.force_polygons import ForcePolygon, rescaled
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
 from cranktrain.plans.positions import fitting, rounded_scale
 from cranktrain.plans.vectors import angle_of, pair
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper.page import Box, Page
 from cranktrain.viz.paper.sketch import Circle, Habit, Sketch, Wish, labelled_bounds, placed_labels
 from cranktrain.viz.plans.force_rows import group_words, packed

@@ -5,6 +5,7 @@ from typing import NamedTuple, TypeVar
 
 from cranktrain.language import said as _
 from cranktrain.one_line import short
+from cranktrain.panels.figures import column, figure, rounded
 from cranktrain.panels.formulas import in_words, mathematics
 from cranktrain.plans.force_polygons import ForcePolygon
 from cranktrain.plans.force_sides import INITIAL, PolygonForce
@@ -12,7 +13,6 @@ from cranktrain.plans.vectors import spoken_name
 from cranktrain.saying.names import said_name
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.saying.wording import first_that_holds
-from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.page import Page
 from cranktrain.viz.paper.tables import write_row
 

@@ -8,6 +8,7 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
+from cranktrain.panels.figures import column, figure, rounded
 from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.klein import Klein, klein
 from cranktrain.plans.polygons import Polygon, acceleration_polygons, velocity_polygons
@@ -23,7 +24,6 @@ from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.together import places_called
 from cranktrain.plans.vectors import PolygonVector
 from cranktrain.saying.scales import Scale, scale_for
-from cranktrain.viz.figures import column, figure, rounded
 from cranktrain.viz.paper.page import LINE, Box, Figure, Page, drawing_settings
 from cranktrain.viz.paper.tables import LEAST_ROW, ROW
 from cranktrain.viz.plans.position_rows import N_HEADS, position_rows

@@ -9,13 +9,13 @@ from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import first_largest
+from cranktrain.panels.figures import aligned, figure, with_unit
 from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.pin_loads import CrankpinLoad, pin_loads
 from cranktrain.plans.positions import fitting, plan_angles
 from cranktrain.plans.vectors import angle_of
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.saying.wording import plain
-from cranktrain.viz.figures import aligned, figure, with_unit
 from cranktrain.viz.paper.page import Box, Figure, drawing_settings
 from cranktrain.viz.paper.rings import RING_SCALES, PolarRings, ring_numbers, ring_step
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, dots, placed_labels

@@ -10,11 +10,11 @@ from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import short
+from cranktrain.panels.figures import aligned
 from cranktrain.panels.formulas import INDICES
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.position_table import PositionColumn, output_columns, point_columns
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import aligned
 
 _LETTERS = 46
 """Of the heads of all columns of a table of loads, of which each has its part."""

@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
+from cranktrain.panels.figures import figure, with_unit
 from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.drive_scheme import drive_chain
 from cranktrain.plans.pin_weights import pin_weights
@@ -17,7 +18,6 @@ from cranktrain.plans.stroke_lines import guide_line, unit
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.quantities import shown
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import figure, with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, placed_labels

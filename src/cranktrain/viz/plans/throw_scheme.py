@@ -7,6 +7,7 @@ import numpy as np
 
 from cranktrain.language import said as _
 from cranktrain.motion import Array
+from cranktrain.panels.figures import with_unit
 from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.machine_throw import MachineThrow, ThrownMachine
 from cranktrain.plans.stroke_lines import unit
@@ -15,7 +16,6 @@ from cranktrain.plans.throw_scheme import SchemeForce, SchemeLength, ThrowScheme
 from cranktrain.references import REFERENCES
 from cranktrain.saying.scales import scale_for
 from cranktrain.texts.throw_table import Throw
-from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.curves import axes_in
 from cranktrain.viz.paper.page import MARGIN, Box, Figure, Page, drawing_settings, fitting_scale, paper

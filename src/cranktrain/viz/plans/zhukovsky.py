@@ -8,6 +8,7 @@ from cranktrain.analysis import SpeedWanted, speed_over_cycle
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
+from cranktrain.panels.figures import column
 from cranktrain.panels.formulas import mathematics
 from cranktrain.plans.acting import symbols_together
 from cranktrain.plans.lettering import pin_letters
@@ -19,7 +20,6 @@ from cranktrain.plans.vectors import POLE, angle_of, pair, spoken_name, turned_l
 from cranktrain.plans.zhukovsky import LeverForce, ZhukovskyLever, zhukovsky_lever
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.saying.wording import power_of_ten
-from cranktrain.viz.figures import column
 from cranktrain.viz.paper.page import LINE, Box, Figure, drawing_settings
 from cranktrain.viz.paper.sketch import Circle, Line, Sketch, Wish, bounds_of, placed_labels, together
 from cranktrain.viz.paper.style import MUTED

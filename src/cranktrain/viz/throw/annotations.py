@@ -6,13 +6,13 @@ import numpy as np
 
 from cranktrain.language import said as _
 from cranktrain.motion import Array
+from cranktrain.panels.figures import with_unit
 from cranktrain.panels.throw_member import DrawnMechanism
 from cranktrain.panels.throw_scene import BIG_EYE, Scene
 from cranktrain.plans.acting_loads import ActingLoad
 from cranktrain.plans.stroke_lines import Along, unit
 from cranktrain.plans.vectors import angle_of, spoken_name
 from cranktrain.saying.scales import scale_for
-from cranktrain.viz.figures import with_unit
 from cranktrain.viz.paper import shapes
 from cranktrain.viz.paper.load_arrows import ArrowSizes, DrawnBody, LoadMark, load_marks, load_wishes
 from cranktrain.viz.paper.sketch import Circle, Label, Line, Sketch, Wish, label_outline, placed_labels

@@ -1,0 +1,1 @@
+"""Pages: a machine with all its answers as data that a browser draws, and the page that draws it."""

@@ -1,0 +1,96 @@
+"""Data as a browser takes it: records as objects that say what they are, arrays in one block of 32-bit numbers."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cranktrain.language import Said
+
+
+class Packed(NamedTuple):
+    """What a browser takes.
+
+    Attributes
+    ----------
+    data : object
+        As JSON has it; an array is `{"at": first, "shape": [...]}`, its place among the numbers, row by row.
+    numbers : array of float32, shape (n,)
+    """
+
+    data: object
+    numbers: NDArray[np.float32]
+
+
+def packed(value: object) -> Packed:
+    """Pack records, named tuples, mappings, sequences, arrays, words and numbers; words are said here and now.
+
+    Parameters
+    ----------
+    value : object
+
+    Returns
+    -------
+    Packed
+        Arrays that are the same stand among the numbers once; NaN that stands alone becomes null.
+
+    Raises
+    ------
+    TypeError
+        For what is none of these.
+    """
+    packer = _Packer()
+    return Packed(packer.plain(value), packer.numbers)
+
+
+class _Packer:
+    """Collects arrays as they come."""
+
+    def __init__(self) -> None:
+        self._blocks: list[NDArray[np.float32]] = []
+        self._places: dict[bytes, int] = {}
+        self._size = 0
+
+    @property
+    def numbers(self) -> NDArray[np.float32]:
+        """All of them, one behind the other."""
+        return np.concatenate(self._blocks) if self._blocks else np.empty(0, np.float32)
+
+    def plain(self, value: object) -> object:
+        """Give a value as JSON has it."""
+        match value:
+            case None | bool() | int() | str():
+                return value
+            case float():
+                return value if np.isfinite(value) else None
+            case Said():
+                return str(value)
+            case np.ndarray():
+                return self._array(cast(NDArray[Any], value))
+            case Mapping():
+                return {str(name): self.plain(one) for name, one in cast(Mapping[object, object], value).items()}
+            case tuple() if hasattr(value, "_asdict"):
+                return {"is": type(value).__name__, **cast("dict[str, object]", self.plain(cast(Any, value)._asdict()))}
+            case Sequence():
+                return [self.plain(one) for one in cast("Sequence[object]", value)]
+            case _ if is_dataclass(value):
+                own = {field.name: self.plain(getattr(value, field.name)) for field in fields(value)}
+                return {"is": type(value).__name__, **own}
+            case np.generic():
+                return self.plain(value.item())
+            case _:
+                raise TypeError(type(value).__name__)
+
+    def _array(self, array: NDArray[Any]) -> object:
+        """Give numbers their place; truths and whole numbers, of which there are few, stand where they are."""
+        if array.dtype.kind != "f":
+            return array.tolist()
+        block = np.ascontiguousarray(array, np.float32).ravel()
+        key = block.tobytes()
+        if key not in self._places:
+            self._places[key] = self._size
+            self._blocks.append(block)
+            self._size += block.size
+        return {"at": self._places[key], "shape": list(array.shape)}
