@@ -67,6 +67,21 @@ class PageCheck:
 
 
 @record
+class PageWords:
+    """Words of a page's own: of what is on it whatever the machine."""
+
+    drawing: Words = _("The mechanism at a crank angle; drag to turn the crank")
+    angle: Words = _("Crank angle")
+    play: Words = _("Turn the crank")
+    stop: Words = _("Stop the crank")
+    back: Words = _("1° back")
+    on: Words = _("1° on")
+    keys: Words = _("space turns and stops · ← → 1°, with shift 10° · Home 0°")
+    checks: Words = _("Checks")
+    left_out: Words = _("Not drawn, as their shaft has no place in the file:")
+
+
+@record
 class MachinePage:
     """All that a page shows of a machine.
 
@@ -84,6 +99,7 @@ class MachinePage:
     checks : tuple of PageCheck
     drawing : MachineDrawing
         Its first throw over the cycle, both ends included.
+    words : PageWords
     """
 
     name: str
@@ -94,6 +110,7 @@ class MachinePage:
     tabs: tuple[PageTab, ...]
     checks: tuple[PageCheck, ...]
     drawing: MachineDrawing
+    words: PageWords
 
 
 def machine_page(machine: Machine) -> MachinePage:
@@ -127,6 +144,7 @@ def machine_page(machine: Machine) -> MachinePage:
         drawing=machine_drawing(
             machine, np.arange(0.0, result.cycle + _STEP / 2, _STEP), mechanism=throw[0].name if throw else None
         ),
+        words=PageWords(),
     )
 
 

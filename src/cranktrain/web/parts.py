@@ -178,10 +178,11 @@ class PageNotes:
 
 @record
 class PageRuler:
-    """Dead centres over the curves below it."""
+    """Dead centres over the curves below it, and which textbook form stands beside these, if any."""
 
     heading: Words
     marks: tuple[RulerMark, ...]
+    textbook: Words
 
 
 PagePart: TypeAlias = (
@@ -211,8 +212,8 @@ def page_parts(parts: Sequence[Part]) -> Iterator[PagePart]:
                 yield _table(part)
             case Notes(sentences=sentences):
                 yield PageNotes(sentences)
-            case Ruler(heading=heading, marks=marks):
-                yield PageRuler(heading, marks)
+            case Ruler(heading=heading, marks=marks, textbook=textbook):
+                yield PageRuler(heading, marks, textbook)
             case _:
                 pass
 

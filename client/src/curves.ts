@@ -1,0 +1,318 @@
+// Curves: panels one above the other over the crank angle, or side by side, each over its own.
+
+import uPlot from "uplot";
+
+import type { Curve, PageCurves, Panel } from "./data";
+import { html, svg } from "./elements";
+import { canvasColour, inkOf, LEVELS, PENS } from "./ink";
+import { extent, figure, figures, interpolated, number, ticks } from "./numbers";
+import { said, symbol } from "./words";
+
+const AXIS = 54;
+const STACKED = 132;
+const ALONE = 270;
+const LAST = 30;
+/** Of a scale: room over and under curves, in parts of their height; where curves come nearer to zero it is shown. */
+const BESIDE = 0.08;
+const NEAR = 0.5;
+/** Which of the values set the scale where the links cannot close all round. */
+const MIDDLE: readonly [number, number] = [0.04, 0.96];
+
+/** Of curves that stand beside others of their name. */
+const UNNAMED: ReadonlySet<Curve["role"]> = new Set(["ray", "half_ray", "textbook"]);
+
+/** Curves on a page, with a cursor that all share. */
+export interface Shown {
+  readonly element: HTMLElement;
+  /** Stand at a crank angle. [deg] */
+  readonly show: (angle: number) => void;
+  /** Take the width and the colours of what they stand in. */
+  readonly fit: () => void;
+}
+
+/** Show curves; where somebody points at them, that is the crank angle. */
+export function curves(part: PageCurves, turned: (angle: number) => void): Shown {
+  const panels = part.panels.map((panel, place) => {
+    const isLast = !part.is_stack || place === part.panels.length - 1;
+    return new ShownPanel(panel, { over: isLast ? (part.is_stack ? part.over : panel.over) : "", isStacked: part.is_stack, isLast, turned });
+  });
+  const element = html("div", { class: part.is_stack ? "stack" : "card" }, ...panels.map((one) => one.element));
+  return {
+    element,
+    show: (angle) => { for (const one of panels) one.show(angle); },
+    fit: () => { for (const one of panels) one.fit(); },
+  };
+}
+
+interface Manner {
+  readonly over: string;
+  readonly isStacked: boolean;
+  readonly isLast: boolean;
+  readonly turned: (angle: number) => void;
+}
+
+/** Points of a curve: along and up. */
+interface Line {
+  readonly across: Float32Array;
+  readonly values: Float32Array;
+}
+
+class ShownPanel {
+  readonly element: HTMLElement;
+  private readonly room = html("div", { class: "plot" });
+  private readonly readings: HTMLElement[] = [];
+  private readonly lines: readonly Line[];
+  private readonly isOverAngle: boolean;
+  private plot: uPlot | null = null;
+  private angle = 0;
+
+  constructor(
+    private readonly panel: Panel,
+    private readonly manner: Manner,
+  ) {
+    this.lines = panel.curves.map((curve) => ({ across: (curve.across ?? panel.across).values, values: curve.values.values }));
+    this.isOverAngle = manner.isStacked && panel.across_unit === "°";
+    const title = html("h3", {}, said(panel.title));
+    if (panel.symbol) title.append(" ", symbol(panel.symbol));
+    if (panel.unit) title.append(html("span", { class: "unit" }, ", ", said(panel.unit)));
+    this.element = html("figure", { class: "panel" }, html("div", { class: "head" }, title, this.legend()), this.room);
+    if (panel.corner.length) this.element.append(html("figcaption", { class: "corner" }, ...panel.corner.flatMap((one) => [said(one), html("br")])));
+    if (manner.over) this.element.append(html("figcaption", {}, said(manner.over)));
+    const below = [...panel.below.map(([, words]) => words), ...panel.marks.filter((one) => one.words && one.sort !== "angle").map((one) => one.words)];
+    if (below.some(Boolean)) this.element.append(html("figcaption", { class: "below" }, ...below.flatMap((words, place) => (place ? [" · ", said(words)] : [said(words)]))));
+  }
+
+  show(angle: number): void {
+    this.angle = angle;
+    if (!this.isOverAngle) return;
+    this.readings.forEach((reading, place) => {
+      const line = this.lines[place];
+      if (line) reading.textContent = figures(interpolated(line.across, line.values, angle));
+    });
+    const cursor = this.element.querySelector<HTMLElement>(".cursor");
+    if (cursor && this.plot) cursor.style.transform = `translateX(${this.plot.valToPos(angle, "x").toFixed(1)}px)`;
+  }
+
+  fit(): void {
+    const width = Math.floor(this.room.clientWidth);
+    if (width < 40) return;
+    this.plot?.destroy();
+    this.plot = new uPlot(this.options(width), this.data(), this.room);
+    if (this.isOverAngle) {
+      this.plot.over.append(html("div", { class: "cursor" }));
+      this.show(this.angle);
+    }
+  }
+
+  /** Names of curves with samples of their lines, and their values at the crank angle. */
+  private legend(): HTMLElement {
+    const list = html("ul", { class: "legend" });
+    this.panel.curves.forEach((curve) => {
+      const item = html("li", { class: `ink-${inkOf(curve.letter)}` }, lineSample(curve.role));
+      if (curve.symbol) item.append(symbol(curve.symbol));
+      else if (curve.name) item.append(said(curve.name));
+      const reading = html("output", {});
+      this.readings.push(reading);
+      if (this.isOverAngle) item.append(reading);
+      if (!UNNAMED.has(curve.role)) list.append(item);
+    });
+    return list;
+  }
+
+  private limits(): readonly [number, number] {
+    if (this.panel.limits) return [number(this.panel.limits[0]), number(this.panel.limits[1])];
+    const known = this.lines.flatMap((line) => Array.from(line.values).filter(Number.isFinite));
+    const hasGaps = this.lines.some((line) => line.values.some((one) => !Number.isFinite(one)));
+    let [low, high] = extent(known);
+    if (hasGaps && known.length) {
+      known.sort((one, other) => one - other);
+      const [start, end] = MIDDLE.map((part) => known[Math.floor(part * (known.length - 1))] ?? NaN) as [number, number];
+      [low, high] = [start - 0.3 * (end - start), end + 0.3 * (end - start)];
+    }
+    for (const level of this.panel.levels) if (!level.is_upright) [low, high] = extent([low, high, number(level.at)]);
+    for (const mark of this.panel.marks) [low, high] = extent([low, high, number(mark.value)]);
+    if (low > 0 && low <= NEAR * high) low = 0;
+    if (high < 0 && high >= NEAR * low) high = 0;
+    const room = BESIDE * (high - low || Math.abs(high) || 1);
+    return [low === 0 ? 0 : low - room, high === 0 ? 0 : high + room];
+  }
+
+  private reach(): readonly [number, number] {
+    if (this.panel.reach) return [number(this.panel.reach[0]), number(this.panel.reach[1])];
+    const [low, high] = extent(this.lines.flatMap((line) => [...extent(line.across)]));
+    if (this.manner.isStacked) return [Math.min(0, low), high];
+    const room = 0.03 * (high - low);
+    return [low === 0 ? 0 : low - room, high + room];
+  }
+
+  private data(): uPlot.AlignedData {
+    const x = Array.from(this.reach());
+    return [x, x.map(() => null)];
+  }
+
+  /** The library has axes, scales and the grid; curves are drawn as they are, over any points. */
+  private options(width: number): uPlot.Options {
+    const [left, right] = this.reach();
+    const [low, high] = this.limits();
+    const muted = canvasColour("muted", this.element);
+    const grid = { stroke: canvasColour("grid", this.element), width: 1 };
+    const font = "11px Inter, 'Segoe UI', system-ui, sans-serif";
+    const isTurn = this.isOverAngle;
+    const across = isTurn ? angles(left, right) : ticks(left, right, Math.max(3, Math.floor(width / 75)));
+    const up = ticks(low, high, this.manner.isStacked ? 4 : 5);
+    const height = (this.manner.isStacked ? STACKED : ALONE) + (this.manner.isLast ? LAST : 8);
+    const steps = (found: readonly number[]): number => (found[1] ?? 1) - (found[0] ?? 0);
+    return {
+      width,
+      height,
+      legend: { show: false },
+      padding: [8, 12, this.manner.isLast ? 0 : 4, 0],
+      cursor: { show: isTurn, x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
+      scales: { x: { time: false, range: [left, right] }, y: { range: [low, high] } },
+      axes: [
+        {
+          size: this.manner.isLast ? 24 : 6, gap: 2, font, stroke: muted, grid, ticks: { show: false },
+          splits: () => [...across], values: (_plot, found) => found.map((one) => (this.manner.isLast ? figure(one, steps(across)) : "")),
+        },
+        {
+          size: AXIS, gap: 4, font, stroke: muted, grid, ticks: { show: false },
+          splits: () => [...up], values: (_plot, found) => found.map((one) => figure(one, steps(up))),
+        },
+      ],
+      series: [{}, { show: true, points: { show: false } }],
+      hooks: { draw: [(plot) => { this.draw(plot); }], ready: [(plot) => { this.listen(plot); }] },
+    };
+  }
+
+  private listen(plot: uPlot): void {
+    if (!this.isOverAngle) return;
+    const turn = (event: PointerEvent): void => {
+      const box = plot.over.getBoundingClientRect();
+      const [left, right] = this.reach();
+      this.manner.turned(Math.min(Math.max(plot.posToVal(event.clientX - box.left, "x"), left), right));
+    };
+    plot.over.addEventListener("pointerdown", (event) => {
+      plot.over.setPointerCapture(event.pointerId);
+      turn(event);
+    });
+    plot.over.addEventListener("pointermove", (event) => { if (event.buttons) turn(event); });
+  }
+
+  private draw(plot: uPlot): void {
+    const ink = plot.ctx;
+    const ratio = devicePixelRatio;
+    const x = (value: number): number => plot.valToPos(value, "x", true);
+    const y = (value: number): number => plot.valToPos(value, "y", true);
+    const box = plot.bbox;
+    ink.save();
+    ink.beginPath();
+    ink.rect(box.left, box.top, box.width, box.height);
+    ink.clip();
+    const [low, high] = this.limits();
+    if (low < 0 && high > 0) stroke(ink, canvasColour("muted", this.element), ratio, [], () => { ink.moveTo(box.left, y(0)); ink.lineTo(box.left + box.width, y(0)); });
+    this.shadeOpen(ink, x, box);
+    for (const level of this.panel.levels) {
+      const look = LEVELS[level.role];
+      const place = number(level.at);
+      stroke(ink, canvasColour(look.ink, this.element), look.width * ratio, look.dashes.map((one) => one * ratio), () => {
+        if (level.is_upright) { ink.moveTo(x(place), box.top); ink.lineTo(x(place), box.top + box.height); }
+        else { ink.moveTo(box.left, y(place)); ink.lineTo(box.left + box.width, y(place)); }
+      });
+    }
+    this.panel.curves.forEach((curve, place) => {
+      const line = this.lines[place];
+      if (line) this.drawCurve(ink, curve, line, x, y, ratio);
+    });
+    ink.restore();
+    for (const mark of this.panel.marks) {
+      const [across, up] = [x(number(mark.across)), y(number(mark.value))];
+      ink.beginPath();
+      ink.arc(across, up, (mark.sort === "dot" ? 2 + 2.5 * number(mark.size) ** 0.5 : mark.sort === "angle" ? 2 : 3.5) * ratio, 0, 2 * Math.PI);
+      ink.fillStyle = canvasColour(mark.sort === "dot" ? "ink" : mark.sort === "angle" ? "v" : "ground", this.element);
+      ink.fill();
+      if (mark.sort === "ring" || mark.sort === "change") stroke(ink, canvasColour("ink", this.element), 1.2 * ratio, [], () => { ink.arc(across, up, 3.5 * ratio, 0, 2 * Math.PI); });
+      if (mark.sort === "angle") this.write(ink, `${+number(mark.angle).toFixed(1)}°`, across + 5 * ratio, up - 5 * ratio, ratio);
+    }
+    for (const level of this.panel.levels) if (level.number) this.write(ink, `${level.number}`, x(number(level.at)) - 3 * ratio, box.top - 1 * ratio, ratio);
+  }
+
+  private write(ink: CanvasRenderingContext2D, text: string, x: number, y: number, ratio: number): void {
+    ink.font = `${11 * ratio}px Inter, 'Segoe UI', system-ui, sans-serif`;
+    ink.fillStyle = canvasColour("muted", this.element);
+    ink.fillText(text, x, y);
+  }
+
+  private drawCurve(ink: CanvasRenderingContext2D, curve: Curve, line: Line, x: (one: number) => number, y: (one: number) => number, ratio: number): void {
+    const pen = PENS[curve.role];
+    const colour = canvasColour(curve.role === "textbook" ? "ink" : inkOf(curve.letter), this.element);
+    if (curve.is_cloud) {
+      ink.fillStyle = colour;
+      line.across.forEach((across, place) => {
+        ink.beginPath();
+        ink.arc(x(across), y(line.values[place] ?? NaN), 2 * ratio, 0, 2 * Math.PI);
+        ink.fill();
+      });
+      return;
+    }
+    stroke(ink, colour, pen.width * ratio, pen.dashes.map((one) => one * ratio), () => {
+      let isDown = false;
+      line.values.forEach((value, place) => {
+        const isThere = Number.isFinite(value);
+        if (isThere && isDown) ink.lineTo(x(line.across[place] ?? NaN), y(value));
+        else if (isThere) ink.moveTo(x(line.across[place] ?? NaN), y(value));
+        isDown = isThere;
+      });
+    });
+    if (curve.role !== "second") return;
+    for (let angle = 15; angle < 720; angle += 30) {
+      const value = interpolated(line.across, line.values, angle);
+      if (!Number.isFinite(value)) continue;
+      ink.beginPath();
+      ink.arc(x(angle), y(value), 2.6 * ratio, 0, 2 * Math.PI);
+      ink.fillStyle = canvasColour("ground", this.element);
+      ink.fill();
+      stroke(ink, colour, ratio, [], () => { ink.arc(x(angle), y(value), 2.6 * ratio, 0, 2 * Math.PI); });
+    }
+  }
+
+  /** Shade where the links cannot close, and where nothing can be. */
+  private shadeOpen(ink: CanvasRenderingContext2D, x: (one: number) => number, box: uPlot.BBox): void {
+    ink.fillStyle = canvasColour("grid", this.element);
+    const shade = (from: number, to: number): void => { ink.fillRect(x(from), box.top, x(to) - x(from), box.height); };
+    for (const [from, to] of this.panel.hatched) shade(number(from), number(to));
+    const line = this.lines[0];
+    if (!this.isOverAngle || !line) return;
+    let start = NaN;
+    line.across.forEach((across, place) => {
+      const isOpen = !Number.isFinite(line.values[place] ?? NaN);
+      if (isOpen && Number.isNaN(start)) start = across;
+      if (!isOpen && !Number.isNaN(start)) { shade(start, across); start = NaN; }
+    });
+    if (!Number.isNaN(start)) shade(start, line.across[line.across.length - 1] ?? start);
+  }
+}
+
+/** Crank angles at an axis: each 30°, each 60° of a longer cycle. */
+function angles(low: number, high: number): number[] {
+  const step = high - low > 360.5 ? 60 : 30;
+  return Array.from({ length: Math.floor((high - low) / step + 1e-6) + 1 }, (_one, place) => low + place * step);
+}
+
+function stroke(ink: CanvasRenderingContext2D, colour: string, width: number, dashes: readonly number[], draw: () => void): void {
+  ink.beginPath();
+  draw();
+  ink.setLineDash([...dashes]);
+  ink.lineWidth = width;
+  ink.lineJoin = "round";
+  ink.strokeStyle = colour;
+  ink.stroke();
+  ink.setLineDash([]);
+}
+
+/** A piece of a curve's line. */
+export function lineSample(role: Curve["role"]): SVGSVGElement {
+  const pen = PENS[role];
+  const line = { x1: 1, y1: 5, x2: 25, y2: 5, stroke: "currentColor", "stroke-width": pen.width, "stroke-dasharray": pen.dashes.join(" ") };
+  const ring = role === "second" ? [svg("circle", { cx: 13, cy: 5, r: 2.6, fill: "var(--ground)", stroke: "currentColor" })] : [];
+  return svg("svg", { class: "sample", viewBox: "0 0 26 10" }, svg("line", line), ...ring);
+}

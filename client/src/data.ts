@@ -1,0 +1,342 @@
+// What a page is given. Written by write_types.py out of the records of cranktrain.web; do not edit.
+
+/** A number; null where there is none. */
+export type Float = number | null;
+
+/** Numbers row by row, with how many there are along each dimension. */
+export interface Numbers {
+  readonly values: Float32Array;
+  readonly shape: readonly number[];
+}
+
+export interface MachinePage {
+  readonly is: "MachinePage";
+  readonly name: string;
+  readonly made_of: string;
+  readonly to_mind: readonly (string)[];
+  readonly cycle: Float;
+  readonly speed: Float;
+  readonly tabs: readonly (PageTab)[];
+  readonly checks: readonly (PageCheck)[];
+  readonly drawing: MachineDrawing;
+  readonly words: PageWords;
+}
+
+export interface PageTab {
+  readonly is: "PageTab";
+  readonly title: string;
+  readonly answer: WrittenGroup;
+  readonly sheets: readonly (PageSheet)[];
+}
+
+export interface WrittenGroup {
+  readonly is: "WrittenGroup";
+  readonly title: string;
+  readonly heads: readonly (string)[];
+  readonly rows: readonly (WrittenRow)[];
+}
+
+export interface WrittenRow {
+  readonly is: "WrittenRow";
+  readonly name: string;
+  readonly cells: readonly (string)[];
+  readonly label: string;
+  readonly words: string;
+  readonly quantities: readonly (string)[];
+}
+
+export interface PageSheet {
+  readonly is: "PageSheet";
+  readonly title: string;
+  readonly columns: readonly (readonly (PageCurves | PagePolars | PageBars | PageStars | PageWear | PageShapes | PageTable | PageNotes | PageRuler)[])[];
+}
+
+export interface PageCurves {
+  readonly is: "PageCurves";
+  readonly panels: readonly (Panel)[];
+  readonly over: string;
+  readonly is_stack: boolean;
+}
+
+export interface Panel {
+  readonly is: "Panel";
+  readonly title: string;
+  readonly unit: string;
+  readonly across: Numbers;
+  readonly curves: readonly (Curve)[];
+  readonly symbol: string;
+  readonly across_unit: string;
+  readonly over: string;
+  readonly marks: readonly (Mark)[];
+  readonly levels: readonly (PanelLine)[];
+  readonly below: readonly (readonly [Float, string])[];
+  readonly corner: readonly (string)[];
+  readonly limits: readonly [Float, Float] | null;
+  readonly reach: readonly [Float, Float] | null;
+  readonly hatched: readonly (readonly [Float, Float])[];
+  readonly dimension: string;
+}
+
+export interface Curve {
+  readonly is: "Curve";
+  readonly values: Numbers;
+  readonly role: "first" | "second" | "other" | "textbook" | "error" | "main" | "side" | "radial" | "resultant" | "formula" | "chamber" | "whole" | "mean" | "each" | "carried" | "card" | "later_card" | "ray" | "half_ray";
+  readonly letter: string;
+  readonly symbol: string;
+  readonly name: string;
+  readonly across: Numbers | null;
+  readonly is_cloud: boolean;
+}
+
+export interface Mark {
+  readonly is: "Mark";
+  readonly across: Float;
+  readonly value: Float;
+  readonly sort: "ring" | "dot" | "angle" | "change";
+  readonly words: string;
+  readonly size: Float;
+  readonly angle: Float;
+}
+
+export interface PanelLine {
+  readonly is: "PanelLine";
+  readonly at: Float;
+  readonly role: "limit" | "natural" | "declared" | "event" | "often";
+  readonly symbol: string;
+  readonly number: number;
+  readonly is_upright: boolean;
+}
+
+export interface PagePolars {
+  readonly is: "PagePolars";
+  readonly diagrams: readonly (PagePolar)[];
+  readonly unit: string;
+  readonly notes: string;
+}
+
+export interface PagePolar {
+  readonly is: "PagePolar";
+  readonly title: string;
+  readonly curves: readonly (PagePolarCurve)[];
+  readonly largest: Numbers;
+  readonly largest_at: Float;
+  readonly cycle: Float;
+  readonly marked: Numbers;
+  readonly marks: Numbers;
+}
+
+export interface PagePolarCurve {
+  readonly is: "PagePolarCurve";
+  readonly points: Numbers;
+  readonly place: number;
+}
+
+export interface PageBars {
+  readonly is: "PageBars";
+  readonly title: string;
+  readonly unit: string;
+  readonly low: Numbers;
+  readonly high: Numbers;
+  readonly is_filled: readonly boolean[];
+  readonly across: Numbers;
+  readonly names: readonly (string)[];
+  readonly framed: number;
+  readonly notes: readonly (string)[];
+}
+
+export interface PageStars {
+  readonly is: "PageStars";
+  readonly title: string;
+  readonly rays: readonly (Rays)[];
+}
+
+export interface Rays {
+  readonly is: "Rays";
+  readonly title: string;
+  readonly direction: Numbers;
+  readonly size: Numbers;
+  readonly names: readonly (string)[];
+  readonly hole: Float;
+  readonly hole_angle: Float;
+}
+
+export interface PageWear {
+  readonly is: "PageWear";
+  readonly rows: readonly (readonly (Rays)[])[];
+  readonly most: Float;
+  readonly words: string;
+}
+
+export interface PageShapes {
+  readonly is: "PageShapes";
+  readonly title: string;
+  readonly shapes: readonly (ShaftShape)[];
+  readonly names: readonly (string)[];
+}
+
+export interface ShaftShape {
+  readonly is: "ShaftShape";
+  readonly title: string;
+  readonly amplitude: Numbers;
+  readonly following: readonly number[];
+  readonly nodes: Numbers;
+}
+
+export interface PageTable {
+  readonly is: "PageTable";
+  readonly title: string;
+  readonly heads: readonly (string)[];
+  readonly groups: readonly (string)[];
+  readonly rows: readonly (readonly (string)[])[];
+  readonly methods: readonly (number)[];
+  readonly notes: readonly (string)[];
+}
+
+export interface PageNotes {
+  readonly is: "PageNotes";
+  readonly sentences: readonly (string)[];
+}
+
+export interface PageRuler {
+  readonly is: "PageRuler";
+  readonly heading: string;
+  readonly marks: readonly (RulerMark)[];
+  readonly textbook: string;
+}
+
+export interface RulerMark {
+  readonly is: "RulerMark";
+  readonly name: string;
+  readonly angle: Float;
+  readonly is_top: boolean;
+  readonly word: string;
+}
+
+export interface PageCheck {
+  readonly is: "PageCheck";
+  readonly sentence: string;
+  readonly verdict: string;
+  readonly holds: boolean | null;
+}
+
+export interface MachineDrawing {
+  readonly is: "MachineDrawing";
+  readonly name: string;
+  readonly crank_angle: Numbers;
+  readonly shafts: readonly (ShaftDrawing)[];
+  readonly mechanisms: readonly (MechanismDrawing)[];
+  readonly left_out: readonly (string)[];
+  readonly loads: readonly (LoadDrawing)[];
+  readonly bounds: Numbers;
+}
+
+export interface ShaftDrawing {
+  readonly is: "ShaftDrawing";
+  readonly name: string;
+  readonly centre: Numbers;
+  readonly is_assumed: boolean;
+  readonly sense: Float;
+}
+
+export interface MechanismDrawing {
+  readonly is: "MechanismDrawing";
+  readonly name: string;
+  readonly kind: string;
+  readonly cylinder: string;
+  readonly bank: string;
+  readonly shaft: string;
+  readonly throw: number;
+  readonly is_slave: boolean;
+  readonly is_outlined: boolean;
+  readonly crank_zero: Float;
+  readonly pins: Readonly<Record<string, Numbers>>;
+  readonly links: readonly (LinkDrawing)[];
+  readonly guides: readonly (GuideDrawing)[];
+  readonly blocks: readonly (Block)[];
+  readonly fixed: readonly (string)[];
+  readonly ends: readonly (string)[];
+  readonly points: readonly (string)[];
+  readonly paths: Readonly<Record<string, Numbers>>;
+  readonly output: OutputDrawing | null;
+}
+
+export interface LinkDrawing {
+  readonly is: "LinkDrawing";
+  readonly name: string;
+  readonly pins: readonly (string)[];
+  readonly is_crank: boolean;
+}
+
+export interface GuideDrawing {
+  readonly is: "GuideDrawing";
+  readonly pin: string;
+  readonly direction: Float;
+  readonly foot: Numbers;
+}
+
+export interface Block {
+  readonly is: "Block";
+  readonly pin: string;
+  readonly link: readonly (string)[];
+}
+
+export interface OutputDrawing {
+  readonly is: "OutputDrawing";
+  readonly pin: string;
+  readonly foot: Numbers;
+  readonly along: Numbers;
+  readonly travel: Numbers;
+  readonly bore: Float | null;
+  readonly is_valve: boolean;
+  readonly is_far: boolean;
+  readonly port: Float | null;
+  readonly crosshead: CrossheadDrawing | null;
+  readonly ram: RamDrawing | null;
+}
+
+export interface CrossheadDrawing {
+  readonly is: "CrossheadDrawing";
+  readonly rod_length: Float;
+  readonly rod_diameter: Float;
+  readonly piston: Float;
+  readonly shoe: Numbers;
+  readonly bars: Numbers;
+  readonly gland: Float;
+  readonly covers: Numbers;
+}
+
+export interface RamDrawing {
+  readonly is: "RamDrawing";
+  readonly width: Float;
+  readonly face: Float;
+  readonly back: Float;
+  readonly ends: Numbers;
+  readonly bed: Float;
+}
+
+export interface LoadDrawing {
+  readonly is: "LoadDrawing";
+  readonly name: string;
+  readonly mechanism: string;
+  readonly link: string;
+  readonly is_torque: boolean;
+  readonly is_rope: boolean;
+  readonly size: Numbers;
+  readonly largest: Float;
+  readonly way: Numbers;
+  readonly place: Numbers;
+  readonly pin: Numbers;
+}
+
+export interface PageWords {
+  readonly is: "PageWords";
+  readonly drawing: string;
+  readonly angle: string;
+  readonly play: string;
+  readonly stop: string;
+  readonly back: string;
+  readonly on: string;
+  readonly keys: string;
+  readonly checks: string;
+  readonly left_out: string;
+}

@@ -1,0 +1,99 @@
+// Numbers of a page: one block, of which each array knows its place.
+
+import type { Float, Numbers } from "./data";
+
+interface Place {
+  readonly at: number;
+  readonly shape: readonly number[];
+}
+
+/** Give data with arrays in place of what says where their numbers are. */
+export function revived(data: unknown, block: Float32Array): unknown {
+  if (Array.isArray(data)) return data.map((one) => revived(one, block));
+  if (typeof data !== "object" || data === null) return data;
+  if (isPlace(data)) {
+    const size = data.shape.reduce((product, one) => product * one, 1);
+    return { values: block.subarray(data.at, data.at + size), shape: data.shape } satisfies Numbers;
+  }
+  return Object.fromEntries(Object.entries(data).map(([name, one]) => [name, revived(one, block)]));
+}
+
+function isPlace(data: object): data is Place {
+  return "at" in data && "shape" in data && typeof data.at === "number" && Array.isArray(data.shape);
+}
+
+/** A number, NaN where there is none. */
+export const number = (one: Float | undefined): number => one ?? NaN;
+
+/** A value of an array by its place, NaN behind its end. */
+export const at = (numbers: Numbers, place: number): number => numbers.values[place] ?? NaN;
+
+/** A row of an array of two dimensions. */
+export function row(numbers: Numbers, place: number): Float32Array {
+  const length = numbers.shape[numbers.shape.length - 1] ?? 0;
+  return numbers.values.subarray(place * length, (place + 1) * length);
+}
+
+/** Least and largest of the values that are known; none of these are two NaN. */
+export function extent(values: Iterable<number>): readonly [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const one of values) {
+    if (one < low) low = one;
+    if (one > high) high = one;
+  }
+  return low <= high ? [low, high] : [NaN, NaN];
+}
+
+/** Value at a place between points that stand evenly from 0 to `end`; NaN where either beside it is. */
+export function between(values: Float32Array, end: number, place: number): number {
+  const steps = values.length - 1;
+  const exact = Math.min(Math.max((place / end) * steps, 0), steps);
+  const before = Math.min(Math.floor(exact), steps - 1);
+  const part = exact - before;
+  const first = values[before] ?? NaN;
+  return part === 0 ? first : first + part * ((values[before + 1] ?? NaN) - first);
+}
+
+/** Value at a place between points that rise along `across`; NaN outside. */
+export function interpolated(across: Float32Array, values: Float32Array, place: number): number {
+  let low = 0;
+  let high = across.length - 1;
+  if (!(place >= (across[low] ?? NaN) && place <= (across[high] ?? NaN))) return NaN;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if ((across[middle] ?? NaN) <= place) low = middle;
+    else high = middle;
+  }
+  const start = across[low] ?? NaN;
+  const width = (across[high] ?? NaN) - start;
+  const first = values[low] ?? NaN;
+  return width === 0 ? first : first + ((place - start) / width) * ((values[high] ?? NaN) - first);
+}
+
+/** Round numbers from low to high, some five of them. */
+export function ticks(low: number, high: number, most = 5): number[] {
+  const rough = (high - low) / most;
+  if (!(rough > 0) || !Number.isFinite(rough)) return [];
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 5, 10].find((one) => one * power >= rough * (1 - 1e-9)) ?? 10);
+  const found: number[] = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) found.push(k * step);
+  return found;
+}
+
+/** A number as axes have it: as few decimals as a step needs, a true minus. */
+export function figure(value: number, step: number): string {
+  const decimals = Math.max(0, -Math.floor(Math.log10(Math.abs(step)) + 1e-9));
+  return signed(value.toFixed(Math.min(decimals, 12)));
+}
+
+/** A number with four figures, as read-outs have it. */
+export function figures(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  const decimals = size === 0 ? 0 : Math.max(0, 3 - Math.floor(Math.log10(size) + 1e-12));
+  return signed(value.toFixed(Math.min(decimals, 12)));
+}
+
+const signed = (text: string): string => (/^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace("-", "−"));

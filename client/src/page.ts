@@ -1,0 +1,207 @@
+// A page of one machine: the mechanism beside its curves, tab by tab, all at one crank angle.
+
+import { hashOf, placeIn } from "./address";
+import { curves, lineSample, type Shown } from "./curves";
+import type { MachinePage, PageRuler, PageSheet, PageTab } from "./data";
+import { html } from "./elements";
+import { Mechanism } from "./mechanism";
+import { number } from "./numbers";
+import { bars, polars, shapes, stars, wear } from "./plane";
+import { answer, checks, table } from "./tables";
+import { Turning } from "./turning";
+import { said } from "./words";
+
+/** Characters from which on a sentence with a list is folded. */
+const LONG = 180;
+
+type Part = PageSheet["columns"][number][number];
+
+/** Show a machine in an element. */
+export function showPage(page: MachinePage, into: HTMLElement): void {
+  const { words } = page;
+  const mechanism = new Mechanism(page.drawing, words.drawing);
+  const cycle = number(page.cycle);
+  const start = placeIn(location.hash);
+  let shown: Shown[] = [];
+  let chosen = Math.min(start.tab, page.tabs.length - 1);
+  const slider = html("input", { type: "range", min: 0, max: cycle, step: 1, value: 0, "aria-label": words.angle });
+  const reading = html("output", { class: "angle" });
+  const play = html("button", { type: "button", class: "play" });
+  const turning = new Turning(cycle, (angle, isPlaying) => {
+    mechanism.show(angle);
+    for (const one of shown) one.show(angle);
+    slider.value = `${angle}`;
+    reading.textContent = `φ = ${isPlaying ? Math.round(angle) : +angle.toFixed(1)}°`;
+    const word = isPlaying ? words.stop : words.play;
+    if (!isPlaying || play.title !== word) history.replaceState(null, "", hashOf({ tab: chosen, angle: isPlaying ? NaN : angle }));
+    if (play.title !== word) {
+      play.title = word;
+      play.setAttribute("aria-label", word);
+      play.textContent = isPlaying ? "❚❚" : "▶";
+    }
+  });
+  const turned = (angle: number): void => { turning.stop(); turning.stand(angle); };
+  const step = (by: number, word: string): HTMLButtonElement => {
+    const button = html("button", { type: "button", title: word, "aria-label": word }, by < 0 ? "−1°" : "+1°");
+    button.addEventListener("click", () => { turning.step(by); });
+    return button;
+  };
+  play.addEventListener("click", () => { turning.toggle(); });
+  slider.addEventListener("input", () => { turned(Number(slider.value)); });
+
+  const left = html("div", { class: "answers" });
+  const right = html("div", { class: "sheets", role: "tabpanel" });
+  const tabs = page.tabs.map((tab, place) => {
+    const button = html("button", { type: "button", role: "tab", id: `tab-${place}` }, said(tab.title));
+    button.addEventListener("click", () => { choose(place); });
+    return button;
+  });
+  const choose = (place: number): void => {
+    const tab = page.tabs[place];
+    if (!tab) return;
+    chosen = place;
+    tabs.forEach((button, other) => {
+      button.setAttribute("aria-selected", `${other === place}`);
+      button.tabIndex = other === place ? 0 : -1;
+    });
+    right.setAttribute("aria-labelledby", `tab-${place}`);
+    shown = [];
+    left.replaceChildren(answer(tab.answer));
+    right.replaceChildren(...sheetsOf(tab, turned, shown));
+    for (const one of shown) one.fit();
+    turning.stand(turning.angle);
+  };
+  const list = html("nav", { class: "tabs", role: "tablist" }, ...tabs);
+  list.addEventListener("keydown", (event) => {
+    const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    if (!by) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const now = tabs.findIndex((one) => one.tabIndex === 0);
+    const next = (now + by + tabs.length) % tabs.length;
+    choose(next);
+    tabs[next]?.focus();
+  });
+
+  into.replaceChildren(
+    html("header", { class: "head" }, html("h1", {}, page.name || page.made_of), ...(page.name ? [html("p", {}, page.made_of)] : [])),
+    list,
+    html(
+      "div", { class: "columns" },
+      html(
+        "section", { class: "machine" },
+        mechanism.element,
+        html("div", { class: "turning-controls" }, play, step(-1, words.back), slider, step(1, words.on), reading),
+        html("p", { class: "keys" }, words.keys),
+        ...(page.drawing.left_out.length ? [html("p", { class: "note" }, `${words.left_out} ${page.drawing.left_out.join(", ")}`)] : []),
+        left,
+        checks(page.checks, words.checks),
+      ),
+      html("section", { class: "right" }, ...minded(page.to_mind), right),
+    ),
+  );
+  dragged(mechanism, turning);
+  document.addEventListener("keydown", (event) => { pressed(event, turning); });
+  let width = 0;
+  new ResizeObserver(() => {
+    if (right.clientWidth === width) return;
+    width = right.clientWidth;
+    for (const one of shown) one.fit();
+  }).observe(right);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { for (const one of shown) one.fit(); });
+  turning.stand(Number.isNaN(start.angle) ? 0 : start.angle);
+  choose(chosen);
+  if (Number.isNaN(start.angle) && !matchMedia("(prefers-reduced-motion: reduce)").matches) turning.play();
+}
+
+/** What is to be minded: of a long list its head, and all of it where somebody asks. */
+function minded(sentences: readonly string[]): HTMLElement[] {
+  if (!sentences.length) return [];
+  const items = sentences.map((sentence) => {
+    const [head, ...rest] = sentence.split(": ");
+    if (sentence.length < LONG || !rest.length) return html("li", {}, said(sentence));
+    return html("li", {}, html("details", {}, html("summary", {}, said(head ?? ""), " …"), said(rest.join(": "))));
+  });
+  return [html("ul", { class: "to-mind" }, ...items)];
+}
+
+/** Keys turn the crank, unless somebody types. */
+function pressed(event: KeyboardEvent, turning: Turning): void {
+  const { target } = event;
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT|SUMMARY)$/.test(target.tagName))) return;
+  if (target instanceof HTMLInputElement && target.type !== "range") return;
+  const by = event.shiftKey ? 10 : 1;
+  if (event.key === "ArrowRight") turning.step(by);
+  else if (event.key === "ArrowLeft") turning.step(-by);
+  else if (event.key === "Home") turning.step(-turning.angle);
+  else if (event.key === " " && !(target instanceof HTMLButtonElement)) turning.toggle();
+  else return;
+  event.preventDefault();
+}
+
+/** Dragging round the first shaft turns the crank. */
+function dragged(mechanism: Mechanism, turning: Turning): void {
+  const { element } = mechanism;
+  let before = NaN;
+  const direction = (event: PointerEvent): number => mechanism.directionOf(event.clientX, event.clientY);
+  element.addEventListener("pointerdown", (event) => {
+    turning.stop();
+    element.setPointerCapture(event.pointerId);
+    before = direction(event);
+  });
+  element.addEventListener("pointermove", (event) => {
+    if (Number.isNaN(before)) return;
+    const now = direction(event);
+    const by = ((now - before + 540) % 360) - 180;
+    before = now;
+    turning.stand(turning.angle + by);
+  });
+  for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, () => { before = NaN; });
+}
+
+function sheetsOf(tab: PageTab, turned: (angle: number) => void, shown: Shown[]): HTMLElement[] {
+  return tab.sheets.map((sheet) => {
+    const columns = sheet.columns.filter((parts) => parts.length).map((parts) => html("div", { class: "column" }, ...parts.map((part) => drawn(part, turned, shown))));
+    const heads = sheet.title ? [html("h2", {}, said(sheet.title))] : [];
+    return html("section", { class: "sheet" }, ...heads, html("div", { class: `sheet-columns of-${columns.length}` }, ...columns));
+  });
+}
+
+/** Draw a part of a sheet; what stands at the crank angle is among what is shown. */
+function drawn(part: Part, turned: (angle: number) => void, shown: Shown[]): HTMLElement {
+  switch (part.is) {
+    case "PageCurves":
+      return moving(curves(part, turned), shown);
+    case "PagePolars":
+      return moving(polars(part), shown);
+    case "PageBars":
+      return bars(part);
+    case "PageStars":
+      return stars(part);
+    case "PageWear":
+      return wear(part);
+    case "PageShapes":
+      return shapes(part);
+    case "PageTable":
+      return table(part);
+    case "PageNotes":
+      return html("div", { class: "notes" }, ...part.sentences.map((one) => html("p", {}, said(one))));
+    case "PageRuler":
+      return ruler(part);
+  }
+}
+
+function ruler(part: PageRuler): HTMLElement {
+  const marks = part.marks.map((mark) => {
+    const words = `${mark.is_top ? "▼" : "▽"} ${mark.name} ${number(mark.angle).toFixed(2)}°`;
+    return html("span", { title: mark.word }, words);
+  });
+  const beside = part.textbook ? [html("span", {}, lineSample("textbook"), " ", said(part.textbook))] : [];
+  return html("p", { class: "ruler" }, html("b", {}, said(part.heading)), ...marks, ...beside);
+}
+
+function moving(one: Shown, shown: Shown[]): HTMLElement {
+  shown.push(one);
+  return one.element;
+}

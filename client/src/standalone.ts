@@ -1,0 +1,23 @@
+// A page that stands alone: its data lie beside it in the file.
+
+import "uplot/dist/uPlot.min.css";
+import "./style.css";
+
+import type { MachinePage } from "./data";
+import { revived } from "./numbers";
+import { showPage } from "./page";
+
+async function opened(id: string): Promise<ArrayBuffer> {
+  const text = document.getElementById(id)?.textContent ?? "";
+  const bytes = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}
+
+async function start(): Promise<void> {
+  const [data, numbers] = await Promise.all([opened("data"), opened("numbers")]);
+  const page = revived(JSON.parse(new TextDecoder().decode(data)), new Float32Array(numbers)) as MachinePage;
+  const into = document.getElementById("page");
+  if (into) showPage(page, into);
+}
+
+void start();

@@ -1,0 +1,62 @@
+"""A page that stands alone: one file with all that it needs, which a browser opens from a disk or a mail."""
+
+import gzip
+import json
+from base64 import b64encode
+from html import escape
+from importlib.resources import files
+
+from cranktrain.language import chosen_language
+from cranktrain.machine import Machine
+from cranktrain.web.packed import packed
+from cranktrain.web.page import machine_page
+
+_PAGE = """<!doctype html>
+<html lang="{language}">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; \
+style-src 'unsafe-inline'; img-src data:">
+<title>{title}</title>
+<style>{style}</style>
+<main id="page"></main>
+<script type="text/plain" id="data">{data}</script>
+<script type="text/plain" id="numbers">{numbers}</script>
+<script>{script}</script>
+</html>
+"""
+
+
+def standalone_page(machine: Machine) -> str:
+    """Write a machine with all its answers as a page that needs no server and no network.
+
+    Parameters
+    ----------
+    machine : Machine
+
+    Returns
+    -------
+    str
+        HTML, in the language and the units that are chosen.
+
+    Raises
+    ------
+    InputError
+        With all that is wrong with the machine.
+    """
+    page = machine_page(machine)
+    data, numbers = packed(page)
+    built = files("cranktrain.web") / "built"
+    return _PAGE.format(
+        language=chosen_language() or "en",
+        title=escape(page.name or page.made_of),
+        style=(built / "standalone.css").read_text(encoding="utf-8"),
+        script=(built / "standalone.js").read_text(encoding="utf-8"),
+        data=_letters(json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()),
+        numbers=_letters(numbers.astype("<f4").tobytes()),
+    )
+
+
+def _letters(content: bytes) -> str:
+    """Give content as letters, compressed; the same content as the same letters."""
+    return b64encode(gzip.compress(content, mtime=0)).decode("ascii")
