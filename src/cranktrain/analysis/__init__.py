@@ -2,10 +2,10 @@
 
 from cranktrain.analysis.result import Result
 from cranktrain.analysis.run import run, speed_over_cycle
-from cranktrain.analysis.second_run import SpeedWanted
 from cranktrain.analysis.stages import Missing, every_stage, ordered, stages_for
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.layout.question import Stage
+from cranktrain.layout.speed import SpeedWanted
 
 __all__ = [
     "Missing",

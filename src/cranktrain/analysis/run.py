@@ -8,12 +8,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cranktrain.analysis.blocks import MOST_AT_ONCE, block_sizes, is_kept, joined
 from cranktrain.analysis.grids import FACTS_STEP, has_curves, on_grid
 from cranktrain.analysis.outcomes import Finding, Outcomes, StageRun
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
-from cranktrain.analysis.second_run import SpeedWanted, with_speed
 from cranktrain.analysis.stages import (
     KEPT,
     Step,
@@ -32,8 +30,8 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.how_far import within
 from cranktrain.language import Words, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.question import Stage
-from cranktrain.layout.speed import SpeedCurve
+from cranktrain.layout.question import Parts, Stage
+from cranktrain.layout.speed import SpeedCurve, SpeedWanted
 from cranktrain.machine import Machine
 
 _FINEST, _COARSEST = 0.01, 90.0
@@ -94,8 +92,12 @@ def run(
     asked = (quantities,) if isinstance(quantities, str) else quantities
     names = None if asked is None else tuple(asked)
     steps = _steps(machines[0].asks, machines[0].kinds, None if stages is None else tuple(stages), names)
-    if len(machines) <= MOST_AT_ONCE or isinstance(speed, SpeedCurve):
+    if isinstance(machine, Machine) or isinstance(speed, SpeedCurve):
         return _run(machines, speed, step, steps, has_designs=not isinstance(machine, Machine))
+    from cranktrain.analysis.blocks import MOST_AT_ONCE, block_sizes, is_kept, joined
+
+    if len(machines) <= MOST_AT_ONCE:
+        return _run(machines, speed, step, steps, has_designs=True)
     sizes = block_sizes(len(machines))
     ends = np.cumsum(sizes).tolist()
     own = np.asarray(speed)
@@ -158,7 +160,7 @@ def _run(
     has_designs: bool,
 ) -> Result:
     """Compute all designs at once."""
-    parts = with_speed(parts_of(machines, step=FACTS_STEP), speed, steps.every, step)
+    parts = _at_speed(parts_of(machines, step=FACTS_STEP), speed, steps.every, step)
     absent = lacking(steps.known, parts)
     chosen = [one for one in steps.chosen if one.outcome not in absent]
     facts = curves = StageRun(chosen, parts)
@@ -209,8 +211,17 @@ def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:
         return None
     refuse_wrong((machine,))
     declared = parts_of((machine,), step=FACTS_STEP)
-    parts: dict[type, Any] = with_speed(declared, speed, stages_for(machine), FACTS_STEP)
+    parts: dict[type, Any] = _at_speed(declared, speed, stages_for(machine), FACTS_STEP)
     return parts[SpeedCurve]
+
+
+def _at_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage], step: float) -> Parts:
+    """Put the speed that is wanted into the parts."""
+    if isinstance(speed, str) and speed == "constant":
+        return parts
+    from cranktrain.analysis.second_run import with_speed  # most runs are at the declared speed
+
+    return with_speed(parts, speed, stages, step)
 
 
 def _step(degrees: float) -> float:

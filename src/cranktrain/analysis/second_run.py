@@ -1,7 +1,7 @@
 """A second run: everything at a speed that varies over the cycle, found by a first run or given."""
 
 from collections.abc import Sequence
-from typing import Any, Literal, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,12 +13,9 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import Listed, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts, Stage
-from cranktrain.layout.speed import Speed, SpeedCurve, SteadySpeed, speed_curve
+from cranktrain.layout.speed import Speed, SpeedCurve, SpeedWanted, SteadySpeed, speed_curve
 from cranktrain.motion import Array
 from cranktrain.numerics.periodic import spline_curve
-
-SpeedWanted: TypeAlias = Literal["constant", "running"] | ArrayLike | SpeedCurve
-"""Constant; that of the steady running which the machine's file makes; one's own on the grid; or a curve there is."""
 
 
 def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage], step: float) -> Parts:
@@ -28,7 +25,7 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage], step: 
     ----------
     parts : mapping of type to object
         What the machine declares.
-    speed : "constant", "running", array-like of shape (n,) or (design, n), or SpeedCurve
+    speed : "running", array-like of shape (n,) or (design, n), or SpeedCurve
         [rad/s]
     stages : sequence of Stage
         Which of them find the running speed.
@@ -38,15 +35,13 @@ def with_speed(parts: Parts, speed: SpeedWanted, stages: Sequence[Stage], step: 
     Returns
     -------
     mapping of type to object
-        The same for a constant speed; else with `SpeedCurve`, which `Speed` holds as well.
+        With `SpeedCurve`, which `Speed` holds as well.
 
     Raises
     ------
     InputError
         Where the file does not say what the running speed needs, there is none, or the speeds given are none.
     """
-    if isinstance(speed, str) and speed == "constant":
-        return parts
     declared_curve: Any = parts.get(SpeedCurve)
     if not isinstance(speed, SpeedCurve) and declared_curve is not None and declared_curve.moment is not None:
         allowed = _("must be left out: [shaft.main] acceleration says how the shaft turns, at one moment")

@@ -197,7 +197,7 @@ def _run(
     units: Units = None,
     force: Force = False,
 ) -> None:
-    from cranktrain.cli.curves import CurvesAsked
+    from cranktrain.cli.asked import CurvesAsked
     from cranktrain.cli.run import RunRequest, Shown, show_run
 
     names = None if quantities is None else listed(quantities)

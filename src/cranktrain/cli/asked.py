@@ -1,7 +1,7 @@
 """What is asked of the commands that compute, as typed: which machine, at which speed, and where to write."""
 
 import json
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -11,12 +11,14 @@ from cranktrain.cli.how_far import says_how_far
 from cranktrain.errors import Position, Problem, problems_as
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import MachineFile, computed, read_machine
+from cranktrain.language import said as _
 from cranktrain.quantities import UnitChoice, shown_as_in, shown_by
 from cranktrain.record import record
 
 if TYPE_CHECKING:
     from cranktrain.analysis import Result
 
+DECIMALS = ("point", "comma")
 RUNNING_SPEED, SPEED_CURVE = "--running-speed", "--speed-curve"
 _TABLE = "shaft.main.speed_curve"
 
@@ -68,6 +70,49 @@ class AskedAtSpeed(Asked):
         if self.speed_curve is not None and of_setting and problem.path == f"{_TABLE}.file":
             return replace(problem, path="", given=self.speed_curve, position=Position(SPEED_CURVE))
         return problem
+
+
+@record
+class CurvesAsked:
+    """Which curves at which crank angles, as typed.
+
+    Attributes
+    ----------
+    at : str or None
+        `140`, or `0,30..720`.
+    table : str or None
+        Its name.
+    of : str or None
+        Of which member the table is.
+    every : str or None
+        How far apart its lines are. [deg]
+    """
+
+    at: str | None = None
+    table: str | None = None
+    of: str | None = None
+    every: str | None = None
+
+    def __bool__(self) -> bool:
+        """Whether any are asked for."""
+        return any(part is not None for part in (self.at, self.table, self.of, self.every))
+
+    def problems(self) -> Iterator[Problem]:
+        """Find what does not go together."""
+        if self.table is None:
+            for option, given in (("--of", self.of), ("--every", self.every)):
+                if given is not None:
+                    yield Problem(option, given, _("is for a table"), _("name one, such as --table forces"))
+        elif self.at is not None and self.every is not None:
+            yield Problem("--every", self.every, _("must be left out beside --at, which names the angles"))
+
+
+def decimal_problems(typed: str) -> Iterator[Problem]:
+    """Find what is wrong with what is to divide decimals in a file."""
+    from cranktrain.quantities import unlisted
+
+    if typed not in DECIMALS:
+        yield unlisted("--decimal", typed, DECIMALS)
 
 
 def at_running_speed(problem: Problem) -> Problem:

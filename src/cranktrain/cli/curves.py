@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -17,6 +17,7 @@ from cranktrain.analysis.curve_columns import (
     curve_columns,
     of_member,
 )
+from cranktrain.cli.asked import CurvesAsked
 from cranktrain.cli.number_lists import exact, numbers_listed
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
@@ -34,41 +35,6 @@ _NAMED = 5
 """Members that a heading names."""
 _LINES = 24
 """Of a table for which nobody says how far apart its lines are."""
-
-
-@record
-class CurvesAsked:
-    """Which curves at which crank angles, as typed.
-
-    Attributes
-    ----------
-    at : str or None
-        `140`, or `0,30..720`.
-    table : str or None
-        Its name.
-    of : str or None
-        Of which member the table is.
-    every : str or None
-        How far apart its lines are. [deg]
-    """
-
-    at: str | None = None
-    table: str | None = None
-    of: str | None = None
-    every: str | None = None
-
-    def __bool__(self) -> bool:
-        """Whether any are asked for."""
-        return any(part is not None for part in (self.at, self.table, self.of, self.every))
-
-    def problems(self) -> Iterator[Problem]:
-        """Find what does not go together."""
-        if self.table is None:
-            for option, given in (("--of", self.of), ("--every", self.every)):
-                if given is not None:
-                    yield Problem(option, given, _("is for a table"), _("name one, such as --table forces"))
-        elif self.at is not None and self.every is not None:
-            yield Problem("--every", self.every, _("must be left out beside --at, which names the angles"))
 
 
 def angles_asked(asked: CurvesAsked, cycle: int) -> list[Fraction]:

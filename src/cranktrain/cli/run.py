@@ -8,15 +8,13 @@ import numpy as np
 from rich.text import Text
 
 from cranktrain.analysis import Result, sentences
-from cranktrain.cli.asked import AskedAtSpeed, at_running_speed, in_units_of, units_asked_for
-from cranktrain.cli.curves import (
+from cranktrain.cli.asked import (
+    AskedAtSpeed,
     CurvesAsked,
-    angles_asked,
-    chosen_curves,
-    names_asked,
-    show_curves,
-    step_for,
-    table_title,
+    at_running_speed,
+    decimal_problems,
+    in_units_of,
+    units_asked_for,
 )
 from cranktrain.cli.screen.text import page, paragraph, show_lines
 from cranktrain.errors import InputError, Problem, problems_as, refuse
@@ -88,6 +86,8 @@ def show_run(request: RunRequest, shown: Shown | None = None) -> None:
 
 def _show_curves(file: MachineFile, request: RunRequest, form: "Form | None") -> None:
     """Compute curves at some crank angles, and write or show them."""
+    from cranktrain.cli.curves import angles_asked, chosen_curves, names_asked, show_curves, step_for, table_title
+
     asked = request.curves
     angles = angles_asked(asked, round(float(np.degrees(file.machine.cycle))))
     names = names_asked(file.machine, asked, request.quantities)
@@ -191,11 +191,7 @@ def _show_answer(file: MachineFile, result: Result, request: RunRequest) -> None
 
 def _form(request: RunRequest) -> "Form | None":
     """How the output is to be written, by its suffix and what was asked besides; None where there is none."""
-    from cranktrain.io.writers import DECIMALS
-    from cranktrain.quantities import unlisted
-
-    if request.decimal not in DECIMALS:
-        raise InputError([unlisted("--decimal", request.decimal, DECIMALS)])
+    refuse(decimal_problems(request.decimal))
     if request.output is None:
         given = {"--decimal": request.decimal != "point", "--facts": request.facts}
         needs = _("is for a file: name one with -o, such as -o {name}", name="facts.csv")

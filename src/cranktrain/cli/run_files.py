@@ -4,12 +4,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import PurePath
 
+from cranktrain.cli.asked import decimal_problems
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.output import write_whole
-from cranktrain.io.writers import DECIMALS, SUFFIXES, Form, written
+from cranktrain.io.writers import SUFFIXES, Form, written
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
-from cranktrain.quantities import unlisted
 from cranktrain.saying.run import Run
 
 
@@ -30,8 +30,7 @@ def form_of(output: str, decimal: str = "point", others: Sequence[str] = (), *, 
     InputError
         Where the name ends in nothing that is known, or the form has no place for what is asked.
     """
-    if decimal not in DECIMALS:
-        raise InputError([unlisted("--decimal", decimal, DECIMALS)])
+    refuse(decimal_problems(decimal))
     suffix = PurePath(output).suffix.lower()
     if suffix in others:
         return None

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 
 from cranktrain.io.editing import with_value
-from cranktrain.io.text_spans import VALUES, TextSpan, places
+from cranktrain.io.text_spans import TextSpan, places
 from cranktrain.paths import PathParts, path_text, quantity_path
 
 
@@ -30,7 +30,7 @@ def with_tables(text: str, path: str, tables: Sequence[Mapping[str, str]], taken
         return source.decode()
     found = places(source)
     place = found.deepest(quantity_path(path))
-    if place.kind in VALUES:
+    if place.is_value:
         inline = ["{ " + ", ".join(f"{key} = {value}" for key, value in table.items()) + " }" for table in tables]
         if place.kind == "list":
             kept = [item.decode() for item in _items(source, found.by_path, place)]

@@ -6,15 +6,17 @@ import re
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from cranktrain.errors import Position, Problem
-from cranktrain.io.editing import with_value
 from cranktrain.io.files import content_of, refusal
 from cranktrain.io.syntax import parsed, text_position
-from cranktrain.io.text_spans import VALUES, TextSpans, places
 from cranktrain.language import said as _
 from cranktrain.one_line import short
 from cranktrain.paths import parts_of
+
+if TYPE_CHECKING:
+    from cranktrain.io.text_spans import TextSpans
 
 LARGEST_FILE = 2**20
 """Bytes; a machine file has some thousands."""
@@ -102,7 +104,9 @@ class Document:
         return self.text.encode()
 
     @cached_property
-    def _places(self) -> TextSpans:
+    def _places(self) -> "TextSpans":
+        from cranktrain.io.text_spans import places  # most files are right, and stay as they are
+
         return places(self._source)
 
     def locate(self, path: str, *, at_key: bool = False) -> Position:
@@ -146,7 +150,7 @@ class Document:
         """Give the value at a path as it was typed, without its quotes; None where there is no value."""
         parts = parts_of(path)
         place = self._places.deepest(parts)
-        if place.path != parts or place.kind not in VALUES:
+        if place.path != parts or not place.is_value:
             return None
         typed = self._source[place.start : place.end].decode()
         plain = re.fullmatch(r"""(["'])([^"'\\\n]*[^"'\\\s])\1""", typed)
@@ -173,6 +177,8 @@ class Document:
         InputError
             If the path cannot be read, names a table, or leads through what is no table or list.
         """
+        from cranktrain.io.editing import with_value
+
         parsed(self.text, self.name)
         for text in (path, given):
             Document.from_text(text, f"{path}={given}".encode(errors="backslashreplace").decode())

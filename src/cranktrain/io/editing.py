@@ -4,7 +4,7 @@ import tomllib
 from typing import NoReturn
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.io.text_spans import VALUES, TextSpan, TextSpans, places
+from cranktrain.io.text_spans import TextSpan, TextSpans, places
 from cranktrain.language import said as _
 from cranktrain.paths import PathParts, path_text, quantity_path, quoted
 
@@ -76,7 +76,7 @@ def with_value(source: bytes, path: str, given: str) -> bytes:
     found = places(source)
     place = found.deepest(parts)
     rest = parts[len(place.path) :]
-    if not rest and place.kind in VALUES:
+    if not rest and place.is_value:
         return source[: place.start] + value + source[place.end :]
     names = tuple(part for part in rest if isinstance(part, str))
     if not rest or place.kind in ("scalar", "list", "sections") or len(names) < len(rest):

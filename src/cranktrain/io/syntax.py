@@ -7,7 +7,6 @@ from typing import cast
 
 from cranktrain.errors import InputError, Position, Problem
 from cranktrain.io.files import refusal
-from cranktrain.io.text_spans import places
 from cranktrain.language import N_
 from cranktrain.language import said as _
 from cranktrain.one_line import short
@@ -127,6 +126,8 @@ def _syntax_problem(text: str, name: str, message: str) -> Problem:
     position = Position(name, line, column) if line else text_position(name, text)
     given = short(lines[position.line - 1] if position.line else "") or None
     if re.match("Cannot|Duplicate", said):
+        from cranktrain.io.text_spans import places
+
         repeated = places(text.encode()).repeated
         if repeated:
             return _repeated_problem(text, name, *repeated[0])

@@ -8,9 +8,6 @@ from cranktrain.paths import DEEPEST_NESTING, PathParts, unquoted
 if TYPE_CHECKING:
     from tree_sitter import Node
 
-VALUES = ("scalar", "list", "inline")
-"""Kinds of places that are values, not tables with a head or dotted keys of their own."""
-
 
 @dataclass
 class TextSpan:
@@ -45,6 +42,11 @@ class TextSpan:
     n_items: int = 0
     has_pairs: bool = False
     home: "TextSpan | None" = None
+
+    @property
+    def is_value(self) -> bool:
+        """Whether it is a value, not a table with a head or dotted keys of its own."""
+        return self.kind in ("scalar", "list", "inline")
 
 
 @dataclass
@@ -115,7 +117,7 @@ def _add_section(found: TextSpans, node: "Node") -> TextSpan:
         owner = found.by_path.setdefault(implied.path, implied)
         owner = found.by_path[*owner.path, owner.n_items - 1] if owner.kind == "sections" else owner
     section = TextSpan("section", (*owner.path, name), node.start_byte, head_end, key, node.start_byte, head_end)
-    there = found.by_path.get(section.path, owner if owner.kind in VALUES else None)
+    there = found.by_path.get(section.path, owner if owner.is_value else None)
     if node.type == "table_array_element" and (there is None or there.kind == "sections"):
         sections = TextSpan("sections", section.path, node.start_byte, head_end, key)
         there = found.by_path.setdefault(section.path, sections)

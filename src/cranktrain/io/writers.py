@@ -13,7 +13,6 @@ from cranktrain.record import record
 from cranktrain.saying.run import Run
 
 SUFFIXES = (".csv", ".json", ".xlsx", ".nc")
-DECIMALS = ("point", "comma")
 
 
 @record

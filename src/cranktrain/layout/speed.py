@@ -1,8 +1,9 @@
 """Speed of the main shaft: one, or as it varies over the cycle, found by the machine's own evenness or given."""
 
-from typing import ClassVar
+from typing import ClassVar, Literal, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from cranktrain.language import N_, Words, _
 from cranktrain.linkage.forces import Drive
@@ -79,6 +80,10 @@ class SpeedCurve:
             else _("All of this is at the speed that was given, {least} to {most} over the cycle, {mean} over time.")
         )
         return said.format(**_speeds(speeds, float(self.mean[design, 0, 0])))
+
+
+SpeedWanted: TypeAlias = Literal["constant", "running"] | ArrayLike | SpeedCurve
+"""Constant; that of the steady running which the machine's file makes; one's own on the grid; or a curve there is."""
 
 
 def _speeds(speeds: Array, mean: float) -> dict[str, Words]:
