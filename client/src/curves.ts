@@ -63,6 +63,7 @@ class ShownPanel {
   private readonly readings: HTMLElement[] = [];
   private readonly lines: readonly Line[];
   private readonly isOverAngle: boolean;
+  private readonly largest: number;
   private plot: uPlot | null = null;
   private angle = 0;
 
@@ -71,10 +72,11 @@ class ShownPanel {
     private readonly manner: Manner,
   ) {
     this.lines = panel.curves.map((curve) => ({ across: (curve.across ?? panel.across).values, values: curve.values.values }));
+    this.largest = Math.max(0, ...this.lines.flatMap((line) => extent(line.values).map(Math.abs)).filter(Number.isFinite));
     this.isOverAngle = manner.isStacked && panel.across_unit === "°";
     const title = html("h3", {}, said(panel.title));
     if (panel.symbol) title.append(" ", symbol(panel.symbol));
-    if (panel.unit) title.append(html("span", { class: "unit" }, ", ", said(panel.unit)));
+    if (panel.unit && manner.isStacked) title.append(html("span", { class: "unit" }, ", ", said(panel.unit)));
     this.element = html("figure", { class: "panel" }, html("div", { class: "head" }, title, this.legend()), this.room);
     if (panel.corner.length) this.element.append(html("figcaption", { class: "corner" }, ...panel.corner.flatMap((one) => [said(one), html("br")])));
     if (manner.over) this.element.append(html("figcaption", {}, said(manner.over)));
@@ -87,7 +89,7 @@ class ShownPanel {
     if (!this.isOverAngle) return;
     this.readings.forEach((reading, place) => {
       const line = this.lines[place];
-      if (line) reading.textContent = figures(interpolated(line.across, line.values, angle));
+      if (line) reading.textContent = figures(interpolated(line.across, line.values, angle), this.largest);
     });
     const cursor = this.element.querySelector<HTMLElement>(".cursor");
     if (cursor && this.plot) cursor.style.transform = `translateX(${this.plot.valToPos(angle, "x").toFixed(1)}px)`;
@@ -114,7 +116,8 @@ class ShownPanel {
       const reading = html("output", {});
       this.readings.push(reading);
       if (this.isOverAngle) item.append(reading);
-      if (!UNNAMED.has(curve.role)) list.append(item);
+      const isNamed = curve.name !== "" || (this.manner.isStacked && (curve.symbol !== "" || this.panel.curves.length === 1));
+      if (isNamed && !UNNAMED.has(curve.role)) list.append(item);
     });
     return list;
   }

@@ -23,6 +23,18 @@ export function svg<Tag extends keyof SVGElementTagNameMap>(
   return filled(element, attributes, children);
 }
 
+/** Make a picture whose text is of one size, however large it is shown. */
+export function picture(name: string, box: readonly [number, number, number, number], ...children: Child[]): SVGSVGElement {
+  const attributes = { class: name, viewBox: box.map((one) => +one.toFixed(2)).join(" "), role: "img" };
+  const made = svg("svg", attributes, ...children);
+  new ResizeObserver(() => {
+    const { width, height } = made.getBoundingClientRect();
+    const scale = Math.min(width / box[2], height / box[3]);
+    if (scale > 0) made.style.setProperty("--pixel", `${(1 / scale).toFixed(4)}px`);
+  }).observe(made);
+  return made;
+}
+
 function filled<Made extends Element>(element: Made, attributes: Attributes, children: readonly Child[]): Made {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   element.append(...children);

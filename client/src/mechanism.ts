@@ -1,7 +1,7 @@
 // A mechanism to scale: what stands still is drawn once, what moves is turned and shifted.
 
 import type { LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing } from "./data";
-import { svg } from "./elements";
+import { picture, svg } from "./elements";
 import { at, between, extent, number, row } from "./numbers";
 
 /** A point, in the units of the picture: to the right and down. */
@@ -61,8 +61,7 @@ export class Mechanism {
       width * this.scale + 2 * MARGIN,
       height * this.scale + 2 * MARGIN,
     ];
-    this.element = svg("svg", { class: "mechanism", viewBox: box.map((one) => one.toFixed(2)).join(" "), role: "img" });
-    this.element.append(svg("title", {}, label));
+    this.element = picture("mechanism", box, svg("title", {}, label));
     const layer = (): SVGGElement => this.element.appendChild(svg("g"));
     const [still, paths, bodies, links, standing, pins, loads] = [layer(), layer(), layer(), layer(), layer(), layer(), layer()];
     for (const shaft of drawing.shafts) this.ring(shaft.name, still);
@@ -83,6 +82,12 @@ export class Mechanism {
   show(angle: number): void {
     const place = ((angle % this.cycle) + this.cycle) % this.cycle;
     for (const move of this.moving) move(place);
+  }
+
+  /** Width in parts of the height. */
+  get aspect(): number {
+    const { width, height } = this.element.viewBox.baseVal;
+    return width / height;
   }
 
   /** Crank angle toward which a point of the window lies from the first shaft. [deg] */

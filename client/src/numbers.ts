@@ -78,7 +78,7 @@ export function ticks(low: number, high: number, most = 5): number[] {
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * ([1, 2, 5, 10].find((one) => one * power >= rough * (1 - 1e-9)) ?? 10);
   const found: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) found.push(k * step);
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) found.push(k * step + 0);
   return found;
 }
 
@@ -88,11 +88,15 @@ export function figure(value: number, step: number): string {
   return signed(value.toFixed(Math.min(decimals, 12)));
 }
 
-/** A number with four figures, as read-outs have it. */
-export function figures(value: number): string {
+/** What is less than this part of the largest beside it is nothing: numbers come with seven figures. */
+const ROUNDING = 1e-6;
+
+/** A number with four figures, as read-outs have it; what is rounding beside the largest is 0. */
+export function figures(value: number, largest: number): string {
   if (!Number.isFinite(value)) return "–";
-  const size = Math.abs(value);
-  const decimals = size === 0 ? 0 : Math.max(0, 3 - Math.floor(Math.log10(size) + 1e-12));
+  const size = Math.abs(value) <= ROUNDING * largest ? 0 : Math.abs(value);
+  if (size === 0) return "0";
+  const decimals = Math.max(0, 3 - Math.floor(Math.log10(size) + 1e-12));
   return signed(value.toFixed(Math.min(decimals, 12)));
 }
 

@@ -14,6 +14,9 @@ import { said } from "./words";
 /** Characters from which on a sentence with a list is folded. */
 const LONG = 180;
 
+/** Width of a drawing in parts of its height from which on it stands over all else. */
+const WIDE = 1.8;
+
 type Part = PageSheet["columns"][number][number];
 
 /** Show a machine in an element. */
@@ -87,16 +90,15 @@ export function showPage(page: MachinePage, into: HTMLElement): void {
     html("header", { class: "head" }, html("h1", {}, page.name || page.made_of), ...(page.name ? [html("p", {}, page.made_of)] : [])),
     list,
     html(
-      "div", { class: "columns" },
+      "div", { class: `columns ${mechanism.aspect > WIDE ? "wide" : ""}` },
       html(
-        "section", { class: "machine" },
+        "section", { class: "drawing" },
         mechanism.element,
         html("div", { class: "turning-controls" }, play, step(-1, words.back), slider, step(1, words.on), reading),
         html("p", { class: "keys" }, words.keys),
         ...(page.drawing.left_out.length ? [html("p", { class: "note" }, `${words.left_out} ${page.drawing.left_out.join(", ")}`)] : []),
-        left,
-        checks(page.checks, words.checks),
       ),
+      html("section", { class: "left" }, left, checks(page.checks, words.checks)),
       html("section", { class: "right" }, ...minded(page.to_mind), right),
     ),
   );

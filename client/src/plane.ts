@@ -1,7 +1,7 @@
 // Pictures in the plane: polar diagrams, stars, circles of wear, bars, shapes along a shaft.
 
 import type { PageBars, PagePolar, PagePolars, PageShapes, PageStars, PageWear, Rays } from "./data";
-import { html, svg } from "./elements";
+import { html, picture, svg } from "./elements";
 import { colour, methodPen } from "./ink";
 import { at, between, extent, figure, number, row, ticks } from "./numbers";
 import type { Shown } from "./curves";
@@ -24,39 +24,39 @@ function polar(diagram: PagePolar, unit: string, reach: number): Shown {
   const half = POLAR / 2;
   const x = (value: number): number => value * scale;
   const y = (value: number): number => -value * scale;
-  const picture = svg("svg", { class: "polar", viewBox: `${-half} ${-half} ${POLAR} ${POLAR}`, role: "img" }, svg("title", {}, diagram.title));
+  const drawn = picture("polar", [-half, -half, POLAR, POLAR], svg("title", {}, diagram.title));
   const rings = ticks(0, reach, 3).filter((one) => one > 0);
   const step = rings[0] ?? reach;
-  for (const ring of rings) picture.append(svg("circle", { class: "ring", r: x(ring) }), svg("text", { class: "ring", x: x(ring) * 0.707 + 2, y: -x(ring) * 0.707 - 2 }, figure(ring, step)));
-  picture.append(svg("path", { class: "axes", d: `M${-half + 8} 0H${half - 8}M0 ${-half + 8}V${half - 8}` }));
+  for (const ring of rings) drawn.append(svg("circle", { class: "ring", r: x(ring) }), svg("text", { class: "ring", x: x(ring) * 0.707 + 2, y: -x(ring) * 0.707 - 2 }, figure(ring, step)));
+  drawn.append(svg("path", { class: "axes", d: `M${-half + 8} 0H${half - 8}M0 ${-half + 8}V${half - 8}` }));
   [...diagram.curves].reverse().forEach((curve) => {
     const [across, up] = [row(curve.points, 0), row(curve.points, 1)];
     const d = Array.from(across, (one, place) => `${place ? "L" : "M"}${x(one).toFixed(2)} ${y(up[place] ?? NaN).toFixed(2)}`).join("");
     const pen = methodPen(curve.place);
-    picture.append(svg("path", { class: "load-curve", d, stroke: colour(pen.ink), "stroke-width": pen.width, "stroke-dasharray": pen.dashes.join(" ") }));
+    drawn.append(svg("path", { class: "load-curve", d, stroke: colour(pen.ink), "stroke-width": pen.width, "stroke-dasharray": pen.dashes.join(" ") }));
   });
   const largest = { x: x(at(diagram.largest, 0)), y: y(at(diagram.largest, 1)) };
   const labels: { x: number; y: number }[] = [largest];
   diagram.marked.values.forEach((angle, place) => {
     const mark = { x: x(at(diagram.marks, place)), y: y(at(diagram.marks, diagram.marked.values.length + place)) };
-    picture.append(svg("circle", { class: "mark", cx: mark.x, cy: mark.y, r: 1.6 }));
+    drawn.append(svg("circle", { class: "mark", cx: mark.x, cy: mark.y, r: 1.6 }));
     if (angle % 60 || labels.some((one) => Math.hypot(one.x - mark.x, one.y - mark.y) < 24)) return;
     labels.push(mark);
     const length = Math.hypot(mark.x, mark.y) || 1;
-    picture.append(svg("text", { class: "mark", x: mark.x + (11 * mark.x) / length, y: mark.y + (11 * mark.y) / length }, `${angle}`));
+    drawn.append(svg("text", { class: "mark", x: mark.x + (11 * mark.x) / length, y: mark.y + (11 * mark.y) / length }, `${angle}`));
   });
   const size = Math.hypot(at(diagram.largest, 0), at(diagram.largest, 1));
   const way = Math.hypot(largest.x, largest.y) || 1;
-  picture.append(
+  drawn.append(
     svg("circle", { class: "largest", cx: largest.x, cy: largest.y, r: 4.5 }),
     svg("text", { class: "largest", x: largest.x + (15 * largest.x) / way, y: largest.y + (15 * largest.y) / way }, `${+diagram.largest_at!.toFixed(0)}°`),
   );
   const vector = svg("line", { class: "now", x1: 0, y1: 0 });
   const dot = svg("circle", { class: "now", r: 3.2 });
-  picture.append(vector, dot);
+  drawn.append(vector, dot);
   const first = diagram.curves[0];
   const reading = html("span", { class: "reading" }, `${+size.toPrecision(4)} ${unit}`);
-  const element = html("figure", { class: "panel" }, html("h3", {}, said(diagram.title), html("span", { class: "unit" }, ", ", unit)), picture, html("figcaption", {}, reading));
+  const element = html("figure", { class: "panel" }, html("h3", {}, said(diagram.title), html("span", { class: "unit" }, ", ", unit)), drawn, html("figcaption", {}, reading));
   return {
     element,
     show: (angle) => {
@@ -80,7 +80,7 @@ export function stars(part: PageStars): HTMLElement {
 
 function star(rays: Rays): HTMLElement {
   const radius = 44;
-  const picture = svg("svg", { class: "star", viewBox: "-72 -66 144 132", role: "img" }, svg("title", {}, rays.title), svg("circle", { class: "ring", r: radius }));
+  const drawn = picture("star", [-72, -66, 144, 132], svg("title", {}, rays.title), svg("circle", { class: "ring", r: radius }));
   const groups = new Map<string, { x: number; y: number; names: string[] }>();
   rays.direction.values.forEach((direction, place) => {
     const size = at(rays.size, place);
@@ -92,12 +92,12 @@ function star(rays: Rays): HTMLElement {
   });
   let isFirst = true;
   for (const { x, y, names } of groups.values()) {
-    picture.append(svg("line", { class: "ray", x2: radius * x, y2: radius * y }), svg("circle", { class: "tip", cx: radius * x, cy: radius * y, r: 2.4 }));
+    drawn.append(svg("line", { class: "ray", x2: radius * x, y2: radius * y }), svg("circle", { class: "tip", cx: radius * x, cy: radius * y, r: 2.4 }));
     const words = names.join(",");
-    if (isFirst || groups.size <= 12) picture.append(svg("text", { x: (radius + 13) * x, y: (radius + 13) * y }, words.length <= 5 ? words : `×${names.length}`));
+    if (isFirst || groups.size <= 12) drawn.append(svg("text", { x: (radius + 13) * x, y: (radius + 13) * y }, words.length <= 5 ? words : `×${names.length}`));
     isFirst = false;
   }
-  return html("figure", { class: "small" }, picture, html("figcaption", {}, said(rays.title)));
+  return html("figure", { class: "small" }, drawn, html("figcaption", {}, said(rays.title)));
 }
 
 /** Show circles off which loads take. */
@@ -112,26 +112,25 @@ function worn(rays: Rays, most: number): HTMLElement {
   const point = (size: number, direction: number): string => `${(size * Math.cos(direction)).toFixed(2)} ${(-size * Math.sin(direction)).toFixed(2)}`;
   const inner = Array.from(rays.direction.values, (direction, place) => `${place ? "L" : "M"}${point(radius - at(rays.size, place) * depth, direction)}`).join("");
   const circle = `M${radius} 0A${radius} ${radius} 0 1 0 ${-radius} 0A${radius} ${radius} 0 1 0 ${radius} 0Z`;
-  const picture = svg(
-    "svg", { class: "wear", viewBox: "-84 -80 168 160", role: "img" }, svg("title", {}, rays.title.replaceAll("\n", " ")),
+  const drawn = picture(
+    "wear", [-84, -80, 168, 160], svg("title", {}, rays.title.replaceAll("\n", " ")),
     svg("path", { class: "axes", d: "M-70 0H70M0 -70V70" }),
     svg("path", { class: "worn", d: `${circle}${inner}Z`, "fill-rule": "evenodd" }),
     svg("path", { class: "edge", d: circle }), svg("path", { class: "edge", d: `${inner}Z` }),
   );
   if (rays.hole !== null) {
     const [near, far] = [point(0.25 * radius, rays.hole), point(radius + 4, rays.hole)];
-    picture.append(svg("path", { class: "hole", d: `M${near}L${far}` }));
+    drawn.append(svg("path", { class: "hole", d: `M${near}L${far}` }));
     const [x, y] = point(radius + 15, rays.hole).split(" ") as [string, string];
-    picture.append(svg("text", { x, y }, `${((number(rays.hole_angle) * 180) / Math.PI).toFixed(0)}°`));
+    drawn.append(svg("text", { x, y }, `${((number(rays.hole_angle) * 180) / Math.PI).toFixed(0)}°`));
   }
-  return html("figure", { class: "small" }, html("figcaption", {}, said(rays.title.replaceAll("\n", " "))), picture);
+  return html("figure", { class: "small" }, html("figcaption", {}, said(rays.title.replaceAll("\n", " "))), drawn);
 }
 
 /** Show bars. */
 export function bars(part: PageBars): HTMLElement {
   const [width, height, left, foot, top] = [560, 210, 46, part.names.length ? 34 : 22, 8];
-  const heads = html("h3", {}, said(part.title), ...(part.unit ? [html("span", { class: "unit" }, ", ", part.unit)] : []));
-  const element = html("figure", { class: "panel" }, heads);
+  const element = html("figure", { class: "panel" }, html("h3", {}, said(part.title)));
   const n = part.across.values.length;
   if (n && part.low.values.some((low, place) => low !== at(part.high, place))) {
     const [low, high] = extent([0, ...part.low.values, ...part.high.values]);
@@ -142,19 +141,19 @@ export function bars(part: PageBars): HTMLElement {
     const [start, end] = part.names.length ? [first - 0.7, at(part.across, n - 1) + 0.7] : [0, at(part.across, n - 1) + each / 2];
     const x = (value: number): number => left + ((value - start) / (end - start)) * (width - left - 6);
     const y = (value: number): number => top + ((ceiling - value) / (ceiling - bottom)) * (height - top - foot);
-    const picture = svg("svg", { class: "bars", viewBox: `0 0 ${width} ${height}`, role: "img" }, svg("title", {}, part.title));
+    const drawn = picture("bars", [0, 0, width, height], svg("title", {}, part.title));
     const levels = ticks(bottom, ceiling, 4);
-    for (const level of levels) picture.append(svg("line", { class: "grid", x1: left, x2: width - 6, y1: y(level), y2: y(level) }), svg("text", { class: "level", x: left - 6, y: y(level) }, figure(level, (levels[1] ?? 1) - (levels[0] ?? 0))));
+    for (const level of levels) drawn.append(svg("line", { class: "grid", x1: left, x2: width - 6, y1: y(level), y2: y(level) }), svg("text", { class: "level", x: left - 6, y: y(level) }, figure(level, (levels[1] ?? 1) - (levels[0] ?? 0))));
     const wide = Math.abs(x(each) - x(0)) * 0.66;
     part.across.values.forEach((across, place) => {
       const [one, other] = [y(at(part.low, place)), y(at(part.high, place))];
       const looks = ["bar", part.is_filled[place] ? "filled" : "", place === part.framed ? "framed" : ""].join(" ");
-      picture.append(svg("rect", { class: looks, x: x(across) - wide / 2, y: Math.min(one, other), width: wide, height: Math.abs(one - other) }));
+      drawn.append(svg("rect", { class: looks, x: x(across) - wide / 2, y: Math.min(one, other), width: wide, height: Math.abs(one - other) }));
       const name = part.names.length ? (part.names[place] ?? "").split(".").pop() ?? "" : Number.isInteger(across) && (n <= 24 || across % 2 === 0) ? `${across}` : "";
-      if (name) picture.append(svg("text", { class: "name", x: x(across), y: height - foot + 14 }, name));
+      if (name) drawn.append(svg("text", { class: "name", x: x(across), y: height - foot + 14 }, name));
     });
-    picture.append(svg("line", { class: "zero", x1: left, x2: width - 6, y1: y(0), y2: y(0) }));
-    element.append(picture);
+    drawn.append(svg("line", { class: "zero", x1: left, x2: width - 6, y1: y(0), y2: y(0) }));
+    element.append(drawn);
   }
   for (const note of part.notes) element.append(html("figcaption", {}, said(note)));
   return element;
@@ -168,21 +167,21 @@ export function shapes(part: PageShapes): HTMLElement {
   const foot = isTurned ? 12 + 6 * Math.max(...part.names.map((name) => name.length)) : 24;
   const height = part.shapes.length * each + foot;
   const x = (place: number): number => left + ((place + 0.5) * (width - left)) / n;
-  const picture = svg("svg", { class: "modes", viewBox: `0 0 ${width} ${height}`, role: "img" }, svg("title", {}, part.title));
+  const drawn = picture("modes", [0, 0, width, height], svg("title", {}, part.title));
   part.shapes.forEach((shape, number_) => {
     const middle = number_ * each + each / 2 + 9;
     const most = Math.max(...Array.from(shape.amplitude.values, Math.abs), 1e-30);
     const y = (value: number): number => middle - (value / most) * (each / 2 - 14);
-    picture.append(svg("text", { class: "title", x: left, y: number_ * each + 9 }, ...spans(shape.title)), svg("line", { class: "zero", x1: left, x2: width, y1: middle, y2: middle }));
+    drawn.append(svg("text", { class: "title", x: left, y: number_ * each + 9 }, ...spans(shape.title)), svg("line", { class: "zero", x1: left, x2: width, y1: middle, y2: middle }));
     shape.following.forEach((to, from) => {
-      picture.append(svg("line", { class: to === from + 1 ? "shape" : "shape branch", x1: x(from), y1: y(at(shape.amplitude, from)), x2: x(to), y2: y(at(shape.amplitude, to)) }));
+      drawn.append(svg("line", { class: to === from + 1 ? "shape" : "shape branch", x1: x(from), y1: y(at(shape.amplitude, from)), x2: x(to), y2: y(at(shape.amplitude, to)) }));
     });
-    shape.amplitude.values.forEach((value, place) => picture.append(svg("circle", { class: "disc", cx: x(place), cy: y(value), r: 2.6 })));
-    for (const node of shape.nodes.values) picture.append(svg("circle", { class: "node", cx: x(node), cy: middle, r: 3 }));
+    shape.amplitude.values.forEach((value, place) => drawn.append(svg("circle", { class: "disc", cx: x(place), cy: y(value), r: 2.6 })));
+    for (const node of shape.nodes.values) drawn.append(svg("circle", { class: "node", cx: x(node), cy: middle, r: 3 }));
   });
   part.names.forEach((name, place) => {
     const [across, y] = [x(place), height - foot + 16];
-    picture.append(svg("text", isTurned ? { class: "name turned", transform: `translate(${across + 4} ${y - 4}) rotate(90)` } : { class: "name", x: across, y }, name));
+    drawn.append(svg("text", isTurned ? { class: "name turned", transform: `translate(${across + 4} ${y - 4}) rotate(90)` } : { class: "name", x: across, y }, name));
   });
-  return html("figure", { class: "panel" }, html("h3", {}, said(part.title)), picture);
+  return html("figure", { class: "panel" }, html("h3", {}, said(part.title)), drawn);
 }

@@ -22,7 +22,7 @@ export function pieces(formula: string): Piece[] {
       if (!special) return;
       rest = rest.slice(special.index + special[0].length);
       const isBraced = special[0].endsWith("{");
-      const end = isBraced ? closing(rest) : (/^\\[A-Za-z]+/.exec(rest)?.[0].length ?? 1);
+      const end = isBraced ? closing(rest) : (/^\\[A-Za-z]+(\{[^}]*\})?/.exec(rest)?.[0].length ?? 1);
       const inner = rest.slice(0, end);
       rest = rest.slice(end + (isBraced ? 1 : 0));
       if (special[0].startsWith("\\")) scan(inner, level, true);
@@ -50,7 +50,7 @@ const GREEK: Readonly<Record<string, string>> = {
 };
 
 const unescaped = (text: string): string =>
-  text.replace(/\\([A-Za-z]+) ?/g, (_all, name: string) => GREEK[name] ?? name).replace(/\\(.)/g, "$1");
+  text.replace(/\\?frac\{1\}\{2\}/g, "½").replace(/\\([A-Za-z]+) ?/g, (_all, name: string) => GREEK[name] ?? name).replace(/\\(.)/g, "$1");
 
 const isSlanted = (piece: Piece): boolean => !piece.isUpright && /\p{Letter}/u.test(piece.text);
 

@@ -330,6 +330,32 @@ def _plot(
 
 
 @_app.command(
+    "view",
+    help=N_(
+        "Write the machine as a page in which it moves beside its curves; it needs no server and no network.\n\n"
+        "\b\n"
+        "  cranktrain view 3d12 -o 3d12.html\n"
+        '  cranktrain view vaz_21213 --set "shaft.main.speed=3000 rpm" -o vaz.html'
+    ),
+)
+@put_off
+def _view(
+    file: File,
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", metavar="FILE", help=N_("Needed: the page, .html."))
+    ] = None,
+    units: Units = None,
+    settings: Settings = None,
+    partial_turn: Partial = False,
+    force: Force = False,
+) -> None:
+    from cranktrain.cli.asked import Asked
+    from cranktrain.cli.view import write_page
+
+    write_page(Asked(file, tuple(settings or ()), partial_turn, output, force, units))
+
+
+@_app.command(
     "synthesise",
     add_help_option=False,
     context_settings={"ignore_unknown_options": True, "allow_extra_args": True, "allow_interspersed_args": False},

@@ -6,14 +6,13 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
-from cranktrain.analysis import Result, run
+from cranktrain.analysis import Result
 from cranktrain.analysis.minded import to_mind
 from cranktrain.errors import InputError
 from cranktrain.grouping import grouped
 from cranktrain.io.title import headed
 from cranktrain.language import Words, _
 from cranktrain.layout.question import Question
-from cranktrain.machine import Machine
 from cranktrain.panels.drawing import MachineDrawing
 from cranktrain.panels.drawing_of_machine import machine_drawing
 from cranktrain.panels.parts import Sheet
@@ -70,15 +69,30 @@ class PageCheck:
 class PageWords:
     """Words of a page's own: of what is on it whatever the machine."""
 
-    drawing: Words = _("The mechanism at a crank angle; drag to turn the crank")
-    angle: Words = _("Crank angle")
-    play: Words = _("Turn the crank")
-    stop: Words = _("Stop the crank")
-    back: Words = _("1° back")
-    on: Words = _("1° on")
-    keys: Words = _("space turns and stops · ← → 1°, with shift 10° · Home 0°")
-    checks: Words = _("Checks")
-    left_out: Words = _("Not drawn, as their shaft has no place in the file:")
+    drawing: Words
+    angle: Words
+    play: Words
+    stop: Words
+    back: Words
+    on: Words
+    keys: Words
+    checks: Words
+    left_out: Words
+
+
+def _page_words() -> PageWords:
+    """Give them."""
+    return PageWords(
+        drawing=_("The mechanism at a crank angle; drag to turn the crank"),
+        angle=_("Crank angle"),
+        play=_("Turn the crank"),
+        stop=_("Stop the crank"),
+        back=_("1° back"),
+        on=_("1° on"),
+        keys=_("space turns and stops · ← → 1°, with shift 10° · Home 0°"),
+        checks=_("Checks"),
+        left_out=_("Not drawn, as their shaft has no place in the file:"),
+    )
 
 
 @record
@@ -113,23 +127,19 @@ class MachinePage:
     words: PageWords
 
 
-def machine_page(machine: Machine) -> MachinePage:
+def machine_page(result: Result) -> MachinePage:
     """Collect what a page shows of a machine.
 
     Parameters
     ----------
-    machine : Machine
+    result : Result
+        Of one machine, with everything that it allows.
 
     Returns
     -------
     MachinePage
-
-    Raises
-    ------
-    InputError
-        With all that is wrong with the machine.
     """
-    result = run(machine)
+    machine = result.machines[0]
     name, made_of = headed(result)
     throw = first_throw(machine)
     speed = machine.main_shaft.speed
@@ -144,7 +154,7 @@ def machine_page(machine: Machine) -> MachinePage:
         drawing=machine_drawing(
             machine, np.arange(0.0, result.cycle + _STEP / 2, _STEP), mechanism=throw[0].name if throw else None
         ),
-        words=PageWords(),
+        words=_page_words(),
     )
 
 

@@ -6,8 +6,8 @@ from base64 import b64encode
 from html import escape
 from importlib.resources import files
 
+from cranktrain.analysis import Result
 from cranktrain.language import chosen_language
-from cranktrain.machine import Machine
 from cranktrain.web.packed import packed
 from cranktrain.web.page import machine_page
 
@@ -27,24 +27,20 @@ style-src 'unsafe-inline'; img-src data:">
 """
 
 
-def standalone_page(machine: Machine) -> str:
+def standalone_page(result: Result) -> str:
     """Write a machine with all its answers as a page that needs no server and no network.
 
     Parameters
     ----------
-    machine : Machine
+    result : Result
+        Of one machine, with everything that it allows.
 
     Returns
     -------
     str
         HTML, in the language and the units that are chosen.
-
-    Raises
-    ------
-    InputError
-        With all that is wrong with the machine.
     """
-    page = machine_page(machine)
+    page = machine_page(result)
     data, numbers = packed(page)
     built = files("cranktrain.web") / "built"
     return _PAGE.format(

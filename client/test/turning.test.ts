@@ -1,0 +1,51 @@
+import { describe, expect, it } from "vitest";
+
+import { Turning } from "../src/turning";
+
+function turning(): { crank: Turning; frames: ((time: number) => void)[]; angles: number[] } {
+  const frames: ((time: number) => void)[] = [];
+  const angles: number[] = [];
+  const crank = new Turning(720, (angle) => angles.push(angle), (next) => frames.push(next));
+  return { crank, frames, angles };
+}
+
+describe("the crank", () => {
+  it("turns once in four seconds", () => {
+    const { crank, frames } = turning();
+    crank.play();
+    frames.shift()?.(1000);
+    frames.shift()?.(1050);
+    expect(crank.angle).toBeCloseTo(4.5, 12);
+  });
+  it("stops at a whole degree and stays there", () => {
+    const { crank, frames } = turning();
+    crank.play();
+    frames.shift()?.(0);
+    frames.shift()?.(16);
+    crank.stop();
+    expect(crank.angle).toBe(1);
+    frames.shift()?.(32);
+    expect(crank.angle).toBe(1);
+    expect(frames).toHaveLength(0);
+  });
+  it("goes on over the end of the cycle, and back", () => {
+    const { crank } = turning();
+    crank.stand(719);
+    crank.step(10);
+    expect(crank.angle).toBe(9);
+    crank.step(-10);
+    expect(crank.angle).toBe(719);
+  });
+  it("stands at the end where somebody points there", () => {
+    const { crank } = turning();
+    crank.stand(720);
+    expect(crank.angle).toBe(720);
+  });
+  it("does not leap after the page was hidden", () => {
+    const { crank, frames } = turning();
+    crank.play();
+    frames.shift()?.(0);
+    frames.shift()?.(60_000);
+    expect(crank.angle).toBeLessThanOrEqual(9);
+  });
+});
