@@ -4,13 +4,14 @@ import ast
 import re
 import sys
 import tomllib
+from itertools import chain
 from pathlib import Path
+
+from cranktrain.extras import EXTRAS
 
 ROOT = Path(__file__).parents[2]
 CALLED = {"pillow": "PIL"}
 """Distributions whose package has another name."""
-EXTRAS = ("fast", "cad", "dataset", "xlsx", "store", "cluster")
-"""What a user may have besides, and the tests have."""
 
 
 def imported() -> set[str]:
@@ -21,21 +22,36 @@ def imported() -> set[str]:
                 names |= {alias.name.partition(".")[0] for alias in node.names}
             elif isinstance(node, ast.ImportFrom):
                 names.add((node.module or "").partition(".")[0])
-            elif isinstance(node, ast.Call) and getattr(node.func, "id", "") == "import_module":
-                names |= {argument.value for argument in node.args if isinstance(argument, ast.Constant)}
+            elif isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("import_module", "imported"):
+                names |= {argument.value for argument in node.args[:1] if isinstance(argument, ast.Constant)}
     return names - {"cranktrain", *sys.stdlib_module_names}
 
 
-def test_declared_packages_are_those_imported():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    optional = project["optional-dependencies"]
-    needed = [*project["dependencies"], *(each for extra in EXTRAS for each in optional[extra])]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def packages(needed: list[str]) -> set[str]:
     names = [re.match(r"[\w-]+", each)[0] for each in needed]
+    return {CALLED.get(name, name.replace("-", "_")) for name in names}
+
+
+def test_declared_packages_are_those_imported():
+    optional = PROJECT["optional-dependencies"]
     installed_with_pydantic = {"pydantic_core"}
-    assert {CALLED.get(name, name.replace("-", "_")) for name in names} == imported() - installed_with_pydantic
+    declared = packages([*PROJECT["dependencies"], *(each for extra in EXTRAS for each in optional[extra])])
+    assert declared == imported() - installed_with_pydantic
+
+
+def test_extras_have_what_users_are_told_of_them():
+    optional = PROJECT["optional-dependencies"]
+    assert set(optional) - set(EXTRAS) == {"docs", "test", "benchmarks"}  # what the program itself never imports
+    assert {extra: set(EXTRAS[extra]) for extra in EXTRAS} == {extra: packages(optional[extra]) for extra in EXTRAS}
+
+
+def test_what_a_plain_install_has_is_in_no_extra():
+    assert packages(PROJECT["dependencies"]).isdisjoint(chain(*EXTRAS.values()))
 
 
 def test_tests_have_what_a_user_may_have():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    first = project["optional-dependencies"]["test"][0]
+    first = PROJECT["optional-dependencies"]["test"][0]
     assert set(EXTRAS) <= set(re.fullmatch(r"cranktrain\[(.*)\]", first)[1].split(","))

@@ -1,12 +1,11 @@
 """A result as an xarray dataset, with units, symbols, sentences, sources and equations as attributes."""
 
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from cranktrain.analysis.dimensions import dimension_named
-from cranktrain.errors import InputError, Problem
-from cranktrain.language import _
+from cranktrain.extras import imported
+from cranktrain.language import Words, _
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Run
@@ -34,7 +33,7 @@ def dataset_of(run: Run) -> "xarray.Dataset":
     InputError
         If xarray is not installed.
     """
-    imported("xarray", "dataset")
+    imported("xarray", "dataset", arrays_instead())
     from cranktrain.analysis.guarded_dataset import Dataset  # which needs xarray
 
     design = ("design",) if run.n_designs is not None else ()
@@ -56,13 +55,9 @@ def dataset_of(run: Run) -> "xarray.Dataset":
     return Dataset(variables, coordinates, dict(run.attributes()))
 
 
-def imported(package: str, asked: str) -> Any:
-    """Import what makes datasets and data frames for what is asked, or say how to have it."""
-    try:
-        return import_module(package)
-    except ModuleNotFoundError:
-        repair = _("pip install 'cranktrain[dataset]', or take arrays by their names")
-        raise InputError([Problem(asked, None, _("needs the package {package}", package=package), repair)]) from None
+def arrays_instead() -> Words:
+    """What does without datasets and data frames."""
+    return _("take arrays by their names")
 
 
 def with_attributes(entry: Entry, values: Array, catalogue: Mapping[str, Entry]) -> tuple[Array, dict[str, str]]:

@@ -18,6 +18,7 @@ from cranktrain.cli.asked import (
 )
 from cranktrain.cli.quiet_pictures import hush
 from cranktrain.errors import InputError, Position, Problem, problems_as
+from cranktrain.extras import lacking_for
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
@@ -184,6 +185,8 @@ def _output_problems(request: PlotRequest, suffix: str) -> Iterator[Problem]:
     elif suffix not in SUFFIXES:
         allowed = _("must end in one of: {suffixes}", suffixes=", ".join(SUFFIXES))
         yield Problem("-o", request.output, allowed)
+    else:
+        yield from lacking_for(suffix)
 
 
 def _refused(request: PlotRequest, picture: Picture) -> Iterator[Problem]:

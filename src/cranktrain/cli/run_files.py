@@ -6,6 +6,7 @@ from pathlib import PurePath
 
 from cranktrain.cli.asked import decimal_problems
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.extras import lacking_for
 from cranktrain.io.output import write_whole
 from cranktrain.io.writers import SUFFIXES, Form, written
 from cranktrain.language import said as _
@@ -28,11 +29,13 @@ def form_of(output: str, decimal: str = "point", others: Sequence[str] = (), *, 
     Raises
     ------
     InputError
-        Where the name ends in nothing that is known, or the form has no place for what is asked.
+        Where the name ends in nothing that is known, the form has no place for what is asked, or a package that the
+        file needs is not installed.
     """
     refuse(decimal_problems(decimal))
     suffix = PurePath(output).suffix.lower()
     if suffix in others:
+        refuse(lacking_for(suffix))
         return None
     if suffix not in SUFFIXES:
         allowed = _("must end in one of: {suffixes}", suffixes=", ".join((*SUFFIXES, *others)))

@@ -14,6 +14,7 @@ from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.sections import show_page
 from cranktrain.cli.sweep_cases import cases_of
 from cranktrain.errors import Position, Problem, problems_as, refuse
+from cranktrain.extras import lacking_for
 from cranktrain.io.machine_file import MachineFile, read_machine
 from cranktrain.io.output import write_machine_file
 from cranktrain.io.title import title
@@ -107,6 +108,8 @@ def _check(request: SweepRequest) -> None:
         problems.append(Problem("--scheduler", request.scheduler, allowed, _("keep one of the two")))
     if request.is_resumed and not _is_stored(request):
         problems.append(Problem("--resume", None, _("needs a store"), _("write -o NAME{suffix}", suffix=STORE)))
+    if _is_stored(request):
+        problems += lacking_for(STORE)
     if _is_stored(request) and request.units is not None:
         problems.append(Problem("--units", request.units, _("is not for a store, whose numbers are in SI and degrees")))
     refuse(problems)

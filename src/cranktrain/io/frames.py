@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 from cranktrain.analysis.curve_columns import by_default, curve_columns
-from cranktrain.analysis.dataset import imported
+from cranktrain.analysis.dataset import arrays_instead
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.extras import imported
 from cranktrain.io.tables import HEADS, fact_rows, headed
 from cranktrain.language import said as _
 from cranktrain.motion import Array
@@ -36,7 +37,7 @@ def curves_frame(
 
     Of designs of which none is on an axis a row for each, with all of its facts.
     """
-    pandas = imported("pandas", "curves")
+    pandas = imported("pandas", "curves", arrays_instead())
     if run.axis is None and run.design_rows is not None:
         frame = pandas.DataFrame(headed(run, (), None))
         return frame.set_index("case") if "case" in frame else frame
@@ -59,7 +60,7 @@ def curves_frame(
 
 def facts_frame(run: Run, *, design: int = 0) -> "pandas.DataFrame":
     """Give facts as a data frame; parameters as of `Result.facts_table`."""
-    pandas = imported("pandas", "facts_table")
+    pandas = imported("pandas", "facts_table", arrays_instead())
     return pandas.DataFrame(list(fact_rows(_of(run, design), tuple(run.catalogue))), columns=list(HEADS))
 
 

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis.dataset import attributes_of, coordinate_of
 from cranktrain.errors import InputError, Problem
+from cranktrain.extras import imported
 from cranktrain.io.files import refusal
 from cranktrain.io.output import not_written
 from cranktrain.io.store_identity import differences, identity
@@ -60,7 +61,7 @@ class SweepStore:
 
     def __init__(self, path: "str | os.PathLike[str]", *, resume: bool = False, force: bool = False) -> None:
         self._path, self._resume, self._force = Path(path), resume, force
-        self._zarr = _zarr()
+        self._zarr = imported("zarr", "store")
         self._labels: dict[str, tuple[str, ...]] = {}
         self._entries: dict[str, Entry] = {}
         self._done: set[int] = set()
@@ -264,16 +265,6 @@ class SweepStore:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # that other programs may not look there
             self._zarr.consolidate_metadata(self._group.store)
-
-
-def _zarr() -> Any:
-    """Import what writes stores, or say how to have it."""
-    try:
-        import zarr
-    except ModuleNotFoundError:
-        repair = _("pip install 'cranktrain[store]', or write a .nc or .csv")
-        raise InputError([Problem("", SUFFIX, _("needs the package {package}", package="zarr"), repair)]) from None
-    return zarr
 
 
 def _with_resume(problem: Problem) -> Problem:

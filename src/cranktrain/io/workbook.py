@@ -3,11 +3,9 @@
 import io
 import math
 from collections.abc import Collection, Iterator, Sequence
-from importlib import import_module
-from typing import Any
 
 from cranktrain.analysis.curve_columns import CurveColumn
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.extras import imported
 from cranktrain.io.tables import HEADS, about, fact_rows, headed
 from cranktrain.language import said as _
 from cranktrain.motion import Array
@@ -43,7 +41,7 @@ def workbook_bytes(
     InputError
         If openpyxl is not installed.
     """
-    book = _openpyxl().Workbook(write_only=True)
+    book = imported("openpyxl", ".xlsx").Workbook(write_only=True)
     shown = headed(run, columns, angles)
     curves = book.create_sheet(_("curves") if run.design_rows is None else _("designs"))
     curves.freeze_panes = "B2"
@@ -63,17 +61,6 @@ def workbook_bytes(
     content = io.BytesIO()
     book.save(content)
     yield content.getvalue()
-
-
-def _openpyxl() -> Any:
-    """Import what writes workbooks, or say how to have it."""
-    try:
-        return import_module("openpyxl")
-    except ModuleNotFoundError:
-        repair = _("pip install 'cranktrain[xlsx]', or write a .csv, with --decimal comma where spreadsheets have one")
-        raise InputError(
-            [Problem("", ".xlsx", _("needs the package openpyxl"), repair, position=Position("-o"))]
-        ) from None
 
 
 def _cell(number: float | str) -> float | str | None:

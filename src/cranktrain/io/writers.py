@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from cranktrain.analysis.curve_columns import CurveColumn, by_default, curve_columns
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.extras import lacking_for
 from cranktrain.io.tables import csv_text, fact_csv, json_text
 from cranktrain.io.workbook import workbook_bytes
 from cranktrain.language import said as _
@@ -35,9 +36,10 @@ class Form:
     facts: bool = False
 
     def problems(self) -> Iterator[Problem]:
-        """Find what the form of the file has no place for."""
+        """Find what the form of the file has no place for, or needs and lacks."""
         if self.suffix not in SUFFIXES:
             return
+        yield from lacking_for(self.suffix)
         if self.suffix != ".csv" and self.decimal == "comma":
             said = _("is for a .csv; {suffix} has numbers, which each program shows as its user has them")
             yield Problem("--decimal", self.decimal, said.format(suffix=self.suffix))
@@ -72,6 +74,7 @@ def written(
     InputError
         If the file has no place for a quantity that was chosen, or needs a package that is not installed.
     """
+    refuse(lacking_for(form.suffix))
     comma = form.decimal == "comma"
     if form.suffix == ".json":
         yield from json_text(run, machine, names)
@@ -101,6 +104,7 @@ def written_curves(form: Form, run: Run, columns: Sequence[CurveColumn], angles:
     angles : Array, shape (n,)
         [deg]
     """
+    refuse(lacking_for(form.suffix))
     if form.suffix in (".json", ".nc") or form.facts:
         allowed = _("has no place among curves at some angles")
         given = Problem("--facts", None, allowed) if form.facts else Problem("-o", form.suffix, allowed)

@@ -46,8 +46,8 @@ def compiled(
 
     Raises
     ------
-    ImportError
-        Where Numba is not installed: `pip install 'cranktrain[fast]'`.
+    InputError
+        Where Numba is not installed, with how to have it.
     """
     return cast(Callable[Parameters, Outcome], _compiled(kernel, faster, numpy, within))
 
@@ -55,8 +55,9 @@ def compiled(
 @cache
 def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, within: bool) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
-    import numba
+    from cranktrain.extras import imported  # only for who compiles
 
+    numba = imported("numba", "compiled")
     teach_choices()
     callees = {
         name: _compiled(called, faster, numpy, within=True)

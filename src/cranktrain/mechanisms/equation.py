@@ -42,8 +42,9 @@ def compiled_equation(kind: Kind[Motion, Geometry]) -> Equation[Geometry]:
     function
         As `equation_of_motion` gives it, to be called from other compiled code too.
     """
-    import numba
+    from cranktrain.extras import imported  # only for who compiles
 
+    numba = imported("numba", "compiled")
     own = kind.dynamics
     joined = _joined(compiled(kind.motion), compiled(own.load), compiled(own.links), compiled(reduced_of))
     return cast(Equation[Geometry], numba.njit(error_model="numpy")(joined))

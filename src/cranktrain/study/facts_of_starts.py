@@ -4,7 +4,6 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from importlib.util import find_spec
 from multiprocessing import parent_process
 from time import perf_counter
 from typing import NamedTuple
@@ -13,6 +12,7 @@ import numpy as np
 
 from cranktrain.analysis.blocks import MOST_AT_ONCE
 from cranktrain.errors import InputError, Problem
+from cranktrain.extras import is_there
 from cranktrain.how_far import say_how_far
 from cranktrain.language import Words, _
 from cranktrain.layout.question import Stage
@@ -81,13 +81,8 @@ def facts_of_starts(
 
 def _how_far(done: int, n_starts: int) -> Words:
     """How many starts are done, and what would make them quicker."""
-    said = _("{done} of {all} starts") if is_numba_there() else _("{done} of {all} starts, without Numba one by one")
+    said = _("{done} of {all} starts") if is_there("numba") else _("{done} of {all} starts, without Numba one by one")
     return said.format(done=done, all=n_starts)
-
-
-def is_numba_there() -> bool:
-    """Whether runs can be compiled."""
-    return find_spec("numba") is not None
 
 
 def _add_block(
@@ -147,7 +142,7 @@ def _run_each(
 ) -> Iterator[_Outcome]:
     """Outcomes of all designs in their order: one by one in plain Python, or compiled by several threads."""
     first = 0
-    if kernels is not None and kernels not in _compiled and is_numba_there():
+    if kernels is not None and kernels not in _compiled and is_there("numba"):
         since = perf_counter()
         yield outcome(0, is_compiled=False)
         first = 1

@@ -1,8 +1,8 @@
 """The ratio between a servo motor and a crank that follows a wanted motion: that of the least rms torque."""
 
 import math
-from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple, cast
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.drive.table import DriveSpec
 from cranktrain.machine import Machine
 from cranktrain.motors import DeclaredMotor
+from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.numerics.ties import first_largest, first_smallest, smallest_of
 from cranktrain.questions.servo.demand import ServoDemand
 from cranktrain.questions.servo.rocking import RockingDrive
@@ -33,6 +34,9 @@ _WIDEST = 1000.0
 _BESIDE = 4
 """So many preferred numbers are shown above and below the chosen one."""
 _N_FINE = 2001
+_ASIDE = 2e-4
+"""Between two logarithms of ratios behind which the torque is the same: the least is midway, as it grows alike to both
+sides. Of torques so near the least themselves no ratio would come out closer than 1e-8."""
 _WITHIN = 1 - 1e-9
 """For rounding."""
 
@@ -182,15 +186,16 @@ def _fine(own: float, best: _Behind) -> list[float]:
 
 def _least_rms(case: _Servo, own: float) -> _Behind:
     """The ratio of the least rms torque, whatever the motor bears."""
-    from scipy.optimize import minimize_scalar  # pyright: ignore[reportUnknownVariableType]
+    half = 0.5 * _ASIDE
 
-    def rms(logarithm: float) -> float:
-        return _at(case, math.exp(logarithm)).rms
+    def growth(logarithm: float) -> float:
+        return _at(case, math.exp(logarithm + half)).rms - _at(case, math.exp(logarithm - half)).rms
 
-    ends = (math.log(own / _WIDEST), math.log(own * _WIDEST))
-    find = cast("Callable[..., object]", minimize_scalar)
-    found = find(rms, bounds=ends, method="bounded", options={"xatol": 1e-9})
-    return _at(case, math.exp(float(found.x)))  # pyright: ignore[reportAttributeAccessIssue, reportUnknownArgumentType, reportUnknownMemberType]
+    low, high = math.log(own / _WIDEST), math.log(own * _WIDEST)
+    if growth(low) >= 0 or growth(high) <= 0:
+        return _at(case, math.exp(low if growth(low) >= 0 else high))
+    found = bracketed_roots(np.vectorize(growth, otypes=[float]), np.array([low]), np.array([high]))
+    return _at(case, math.exp(float(found[0])))
 
 
 def _not_enough(best: _Behind) -> Words:

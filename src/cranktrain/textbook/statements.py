@@ -5,13 +5,13 @@ import io
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from importlib import import_module
 from itertools import chain, count
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.extras import imported
 from cranktrain.language import Said, Words, _
 from cranktrain.motion import Array
 from cranktrain.record import record
@@ -246,7 +246,7 @@ class Statements(Run):
     def frame(self) -> "pandas.DataFrame":
         """As a data frame, a row for each."""
         rows = [[getattr(one, name) for name in _COLUMNS] for one in self.each]
-        return _pandas().DataFrame(rows, columns=_COLUMNS)
+        return _pandas("frame").DataFrame(rows, columns=_COLUMNS)
 
     def csv(self) -> str:
         """The curves as a table over the crank angle, in SI; exact ones beside, where they are none of the others.
@@ -282,7 +282,7 @@ class Statements(Run):
     @property
     def curve_frame(self) -> "pandas.DataFrame":
         """The curves as a data frame over the crank angle: columns by equation, name, whose, verdict and unit."""
-        pandas = _pandas()
+        pandas = _pandas("curve_frame")
         columns: dict[tuple[str, ...], Array] = {}
         for one in self.over_turn:
             named = (one.equation, one.name, one.of)
@@ -301,13 +301,9 @@ def _plain(value: str | float) -> str:
     return f"{value + 0.0:.12g}" if np.isfinite(value) else ""
 
 
-def _pandas() -> Any:
-    """Import pandas, which comes with xarray."""
-    try:
-        return import_module("pandas")
-    except ModuleNotFoundError:
-        repair = _("pip install 'cranktrain[dataset]', or take the records themselves")
-        raise InputError([Problem("frame", None, _("needs the package pandas"), repair)]) from None
+def _pandas(asked: str) -> Any:
+    """Import what makes data frames."""
+    return imported("pandas", asked, _("take the records themselves"))
 
 
 @dataclass(frozen=True, slots=True, repr=False)

@@ -7,7 +7,8 @@ from math import sqrt
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import InputError, Position, Problem, refuse
+from cranktrain.extras import lacking_for
 from cranktrain.io.output import write_whole
 from cranktrain.language import said as _
 
@@ -48,6 +49,7 @@ def save(figure: "Figure | Callable[[], Figure]", path: "str | os.PathLike[str]"
     if suffix not in _UNDATED:
         allowed = _("must end in one of: {suffixes}", suffixes=", ".join(FORMATS))
         raise InputError([Problem("", os.fspath(path), allowed, position=Position("-o"))])
+    refuse(lacking_for(suffix))
     write_whole(path, _pieces(figure, suffix), force=force)
 
 
@@ -73,6 +75,8 @@ def save_animation(
         If a file is there, or it cannot be written; the picture is drawn only after that is known.
     """
     from cranktrain.viz.throw.gif import animation
+
+    refuse(lacking_for(".gif"))
 
     write_whole(path, (animation(result, design=design, piston=piston) for _once in range(1)), force=force)
 

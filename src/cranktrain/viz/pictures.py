@@ -5,7 +5,8 @@ from functools import wraps
 from importlib import import_module
 from typing import Any
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.extras import lacking
 from cranktrain.io.description import units_of
 from cranktrain.language import _
 from cranktrain.panels.parts import Sheet
@@ -31,6 +32,8 @@ def drawing_of(picture: Picture) -> Callable[..., Any]:
 
     @wraps(make)
     def drawn(of: Any, *arguments: Any, size: str = "A4", **options: Any) -> Any:
+        if picture.kind != "file":
+            refuse(lacking("matplotlib", name))
         for quantity, sentence in picture.needs.items():
             if quantity not in of.catalogue:
                 needs = ", ".join(map(str, of.needs_of(quantity)))

@@ -105,7 +105,7 @@ def test_compiled_they_are_the_same_to_the_last_bit(monkeypatch):
 
 def test_without_numba_they_are_plain_and_that_is_said(monkeypatch):
     """However many there are."""
-    monkeypatch.setattr(road, "find_spec", lambda _name: None)
+    monkeypatch.setattr(road, "is_there", lambda _name: False)
     monkeypatch.setattr(road, "_COMPILING", 0.0)
     monkeypatch.setattr(road, "_compiled", set())
     said = []

@@ -266,11 +266,17 @@ SERVO_OF_INERTIA = {
 def test_best_ratio_of_a_pure_inertia():
     """sqrt(9/0.01) = 30, whatever the motion; the preferred number beside it is 31.5."""
     proposal = drive(ct.Machine(**SERVO_OF_INERTIA))
-    assert proposal.value("best_ratio") == pytest.approx(30, rel=1e-5)
+    assert proposal.value("best_ratio") == pytest.approx(30, rel=1e-9)
     assert proposal.value("ratio") == pytest.approx(31.5)
     # M = (i J_m + J/i) eps at the motor: both ratios in parts of the least
     least = drive(ct.Machine(**SERVO_OF_INERTIA), "exact")
     assert proposal.value("rms") / least.value("rms") == pytest.approx((31.5 / 30 + 30 / 31.5) / 2, rel=1e-9)
+
+
+def test_best_ratio_where_next_to_nothing_turns_behind_the_rotor():
+    """The rotor's own inertia asks for ever slower motors: the least ratio that is looked for."""
+    alone = {**SERVO_OF_INERTIA["drive"], "part": {"rotor": {"on": "motor", "inertia": "0.01 kg*m^2"}}}
+    assert drive(ct.Machine(**SERVO_OF_INERTIA | {"drive": alone})).value("best_ratio") == pytest.approx(30 / 1000)
 
 
 def test_servo_ratio_is_what_run_says(tmp_path):

@@ -8,6 +8,7 @@ from cranktrain.cli.quiet_pictures import save_quietly
 from cranktrain.cli.screen.sections import show_page
 from cranktrain.cli.textbook.typed import TextbookRequest
 from cranktrain.errors import Problem
+from cranktrain.extras import lacking_for
 from cranktrain.io.output import write_whole
 from cranktrain.language import Words
 from cranktrain.language import said as _
@@ -26,7 +27,9 @@ def output_problems(asked: TextbookRequest, *kinds: str) -> Iterator[Problem]:
     if asked.output is None and asked.force:
         yield Problem("--force", None, _("is for a file that is written: ask for -o FILE, too"))
     known = (*kinds, *FORMATS)
-    if asked.output is not None and PurePath(asked.output).suffix.lower() not in known:
+    suffix = PurePath(asked.output or "").suffix.lower()
+    yield from lacking_for(suffix)
+    if asked.output is not None and suffix not in known:
         yield Problem("-o", asked.output, _("must end in one of: {suffixes}", suffixes=", ".join(known)))
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from functools import cache
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from cranktrain.language import N_, Words, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
+from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.questions.drive.settling import settled
 from cranktrain.questions.drive.steady_cycle import speed_range
 from cranktrain.questions.drive.steady_drive import SteadyDrive
@@ -165,8 +166,6 @@ def _running(turning: DriveInTurn, machines: ReducedMachines, shaft: int, inerti
 
 def least_inertia(excess: Callable[[float], float], there: float) -> float:
     """Least inertia with which nothing is in excess: 0 where none is needed, infinite where none is enough. [kg·m²]"""
-    from scipy.optimize import brentq  # pyright: ignore[reportUnknownVariableType]
-
     over = cache(excess)  # each value takes a steady cycle
     if over(0.0) <= 0:
         return 0.0
@@ -184,8 +183,7 @@ def least_inertia(excess: Callable[[float], float], there: float) -> float:
             high = middle
     if stalls:
         return high
-    root = cast(float, brentq(over, low, high, xtol=_CLOSE * high))
-    return float(root)
+    return float(bracketed_roots(np.vectorize(over, otypes=[float]), np.array([low]), np.array([high]))[0])
 
 
 def formula_inertia(

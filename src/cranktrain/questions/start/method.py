@@ -1,11 +1,11 @@
 """How a start is run: by explicit steps, or by an implicit method where its motor is stiff."""
 
 from functools import partial
-from importlib.util import find_spec
 from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from cranktrain.extras import is_there
 from cranktrain.questions.start.case import Braking, StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import numbers_from
 from cranktrain.transient.corners import few_ahead
@@ -51,7 +51,7 @@ def method_of(case: StartCase, *, is_compiled: bool = False) -> Method:
     that it does not take, and where SciPy is not installed.
     """
     explicit = Method(run, is_compiled)
-    if case.motor is None or len(case.machine.chambers) or find_spec("scipy") is None:
+    if case.motor is None or len(case.machine.chambers) or not is_there("scipy"):
         return explicit
     top = case.motor.highest_speed(0)
     if not np.isfinite(top):

@@ -6,7 +6,6 @@ What those give, largest torques, pressures, forces, how evenly it runs, is foun
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,6 +16,7 @@ from cranktrain.analysis.outcomes import StageRun
 from cranktrain.analysis.parts import parts_together
 from cranktrain.analysis.stages import homes, lacking, stages_of
 from cranktrain.columns import row_of
+from cranktrain.extras import installing, is_there
 from cranktrain.language import Words, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.design import Design
@@ -116,8 +116,8 @@ def way_to(machine: Machine, wanted: Sequence[str]) -> CompiledWay | Words:
     wanted : sequence of str
         Names of facts.
     """
-    if find_spec("numba") is None:
-        return _("Numba is not installed: pip install 'cranktrain[fast]'")
+    if not is_there("numba"):
+        return _("Numba is not installed: {install}", install=installing("numba"))
     stages = stages_of(machine.asks, machine.kinds)
     parts = parts_together(machine, [machine.design], step=FACTS_STEP)
     if (reason := _out_of_reach(parts)) is not None:

@@ -8,6 +8,7 @@ from threading import Lock
 from typing import Any
 
 from cranktrain.errors import InputError, Problem
+from cranktrain.extras import imported
 from cranktrain.language import _
 from cranktrain.study.sweep.crew import Compute, Span
 from cranktrain.study.sweep.facts import FactsOfRows
@@ -38,7 +39,7 @@ class Cluster(AbstractContextManager["Cluster"]):
     """
 
     def __init__(self, compute: Compute, scheduler: object) -> None:
-        self._distributed = _distributed()
+        self._distributed = imported("distributed", "scheduler", _("ask for processes"))
         self._compute = compute
         self._is_own = isinstance(scheduler, str)
         self._address = str(scheduler) if self._is_own else "scheduler"
@@ -123,18 +124,6 @@ class _silent(AbstractContextManager[None]):  # noqa: N801 - is read as a verb
 
     def __exit__(self, *_raised: object) -> None:
         self._logger.setLevel(self._level)
-
-
-def _distributed() -> Any:
-    """Import what knows clusters, or say how to have it."""
-    try:
-        import distributed
-    except ModuleNotFoundError:
-        repair = _("pip install 'cranktrain[cluster]', or ask for processes")
-        raise InputError(
-            [Problem("scheduler", None, _("needs the package {package}", package="distributed"), repair)]
-        ) from None
-    return distributed
 
 
 def _computed(compute: Compute, span: Span) -> FactsOfRows:

@@ -7,12 +7,12 @@ from time import perf_counter
 from typing import NamedTuple
 
 from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.extras import is_there
 from cranktrain.how_far import say_how_far
 from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.paths import path_text, quantity_path
 from cranktrain.study.cycle.road import CompiledWay
-from cranktrain.study.facts_of_starts import is_numba_there
 from cranktrain.study.sweep.blocks import Blocks, blocks_of
 from cranktrain.study.sweep.crew import Alone, Compute, Crew, Span, in_order, killed
 from cranktrain.study.sweep.facts import FactsOfRows, FactsOfSweep, joined_rows, rows_of
@@ -111,7 +111,7 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
         raise InputError([_long(len(designs), seconds / processes, why)])
     if tried.after - tried.first == len(designs):
         _refuse_all(tried.found, len(designs))
-    worth = _WORTH_COMPILING if plan.over_time and is_numba_there() else _WORTH
+    worth = _WORTH_COMPILING if plan.over_time and is_there("numba") else _WORTH
     n_at_once = processes if seconds > worth else 1
     if blocks is None:
         blocks = blocks_of(designs.shape, _designs_of_block(tried.each, n_at_once, n_together, len(designs)))
@@ -285,7 +285,7 @@ def _how_far(done: int, n_left: int, seconds: float) -> Words:
     if done == 0:
         return _("{done} of {all} designs", done=done, all=n_left)
     left = seconds / done * (n_left - done)
-    if n_left >= _WORTH_NUMBA and not is_numba_there():
+    if n_left >= _WORTH_NUMBA and not is_there("numba"):
         said = _("{done} of {all} designs, without Numba one by one, {left} left   (Ctrl-C ends it)")
     else:
         said = _("{done} of {all} designs, {left} left   (Ctrl-C ends it)")

@@ -2,16 +2,15 @@
 
 import os
 from collections.abc import Iterator, Sequence
-from importlib import import_module
 from io import StringIO
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from cranktrain.analysis import SpeedWanted, speed_over_cycle
-from cranktrain.errors import InputError, Position, Problem
+from cranktrain.errors import refuse
+from cranktrain.extras import imported, lacking_for
 from cranktrain.io.output import write_whole
-from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -95,6 +94,7 @@ def dxf(
     InputError
         If ezdxf is not installed, or the file cannot be written.
     """
+    refuse(lacking_for(".dxf"))
     write_whole(path, _pieces(machine, angles, mechanism, speed), force=force)
 
 
@@ -102,13 +102,7 @@ def _pieces(
     machine: Machine, angles: int | Sequence[float], mechanism: str | None, speed: SpeedWanted
 ) -> Iterator[str]:
     """Draw and give the file's text."""
-    try:
-        ezdxf: Any = import_module("ezdxf")
-    except ModuleNotFoundError:
-        allowed = _("needs the package ezdxf")
-        raise InputError(
-            [Problem("", ".dxf", allowed, _("pip install 'cranktrain[cad]'"), position=Position("-o"))]
-        ) from None
+    ezdxf = imported("ezdxf", ".dxf")
     before = ezdxf.options.write_fixed_meta_data_for_testing
     ezdxf.options.write_fixed_meta_data_for_testing = True  # else the time and a random name make each file another
     try:

@@ -4,7 +4,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.ticker import MaxNLocator
 
 from cranktrain.language import said as _
 from cranktrain.mechanisms.crank_rocker.kinematics import crank_rocker
@@ -271,6 +270,8 @@ def _draw_panel(axes: Axes, drive: CrankRockerDrive, kinds: Sequence[_Kind]) -> 
 
 def _second_scale(axes: Axes, title: str) -> Axes:
     """A scale at the right with its title."""
+    from matplotlib.ticker import MaxNLocator
+
     second = axes.twinx()
     second.yaxis.set_major_locator(MaxNLocator(4))
     second.spines["top"].set_visible(False)

@@ -151,7 +151,7 @@ def test_least_inertia_takes_no_value_twice(stalls_below):
         looked_at.append(inertia)
         return 7.0 / inertia - 1 if inertia > stalls_below else np.inf
 
-    assert least_inertia(excess, 1.0) == pytest.approx(7.0, rel=1e-10)
+    assert least_inertia(excess, 1.0) == pytest.approx(7.0, rel=1e-13)
     assert len(set(looked_at)) == len(looked_at)
 
 
