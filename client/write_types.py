@@ -61,7 +61,9 @@ class Types:
             hints = get_type_hints(kind)
             names = [field.name for field in fields(kind)] if is_dataclass(kind) else list(hints)
             own = "".join(f"  readonly {name}: {self.name(hints[name])};\n" for name in names)
-            self.written[kind.__name__] = f'export interface {kind.__name__} {{\n  readonly is: "{kind.__name__}";\n{own}}}\n'
+            self.written[kind.__name__] = (
+                f'export interface {kind.__name__} {{\n  readonly is: "{kind.__name__}";\n{own}}}\n'
+            )
         return kind.__name__
 
 

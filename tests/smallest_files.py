@@ -134,6 +134,7 @@ def commands() -> dict[str, tuple[str, ...]]:
             ("compare", "FILE", "FILE"),
             ("compare", "FILE", "--set", "shaft.main.speed=50 rpm"),
             ("plot", "FILE", "-o", "out.gif"),
+            ("view", "FILE", "-o", "out.html"),
             ("plot", "FILE", "-o", "out.dxf"),
             *(
                 ("plot", "FILE", f"--{one.kind}", one.name, "-o", "out.svg")

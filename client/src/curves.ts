@@ -2,11 +2,11 @@
 
 import uPlot from "uplot";
 
-import type { Curve, PageCurves, Panel } from "./data";
-import { html, svg } from "./elements";
-import { canvasColour, inkOf, LEVELS, PENS } from "./ink";
-import { extent, figure, figures, interpolated, number, ticks } from "./numbers";
-import { said, symbol } from "./words";
+import type { Curve, PageCurves, Panel } from "./data.ts";
+import { html, svg } from "./elements.ts";
+import { canvasColour, inkOf, LEVELS, PENS } from "./ink.ts";
+import { extent, figure, figures, interpolated, number, ticks } from "./numbers.ts";
+import { said, symbol } from "./words.ts";
 
 const AXIS = 54;
 const STACKED = 132;
@@ -64,13 +64,14 @@ class ShownPanel {
   private readonly lines: readonly Line[];
   private readonly isOverAngle: boolean;
   private readonly largest: number;
+  private readonly panel: Panel;
+  private readonly manner: Manner;
   private plot: uPlot | null = null;
   private angle = 0;
 
-  constructor(
-    private readonly panel: Panel,
-    private readonly manner: Manner,
-  ) {
+  constructor(panel: Panel, manner: Manner) {
+    this.panel = panel;
+    this.manner = manner;
     this.lines = panel.curves.map((curve) => ({ across: (curve.across ?? panel.across).values, values: curve.values.values }));
     this.largest = Math.max(0, ...this.lines.flatMap((line) => extent(line.values).map(Math.abs)).filter(Number.isFinite));
     this.isOverAngle = manner.isStacked && panel.across_unit === "°";
@@ -87,12 +88,14 @@ class ShownPanel {
   show(angle: number): void {
     this.angle = angle;
     if (!this.isOverAngle) return;
-    this.readings.forEach((reading, place) => {
-      const line = this.lines[place];
-      if (line) reading.textContent = figures(interpolated(line.across, line.values, angle), this.largest);
+    const end = this.reach()[1];
+    const place = angle > end ? angle % end : angle;
+    this.readings.forEach((reading, which) => {
+      const line = this.lines[which];
+      if (line) reading.textContent = figures(interpolated(line.across, line.values, place), this.largest);
     });
     const cursor = this.element.querySelector<HTMLElement>(".cursor");
-    if (cursor && this.plot) cursor.style.transform = `translateX(${this.plot.valToPos(angle, "x").toFixed(1)}px)`;
+    if (cursor && this.plot) cursor.style.transform = `translateX(${this.plot.valToPos(place, "x").toFixed(1)}px)`;
   }
 
   fit(): void {

@@ -1,6 +1,6 @@
 // How lines look: colours by quantity, habits by role. No meaning is in colour alone.
 
-import type { Curve, PanelLine } from "./data";
+import type { Curve, PanelLine } from "./data.ts";
 
 interface Pen {
   readonly width: number;

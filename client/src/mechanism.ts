@@ -1,8 +1,8 @@
 // A mechanism to scale: what stands still is drawn once, what moves is turned and shifted.
 
-import type { LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing } from "./data";
-import { picture, svg } from "./elements";
-import { at, between, extent, number, row } from "./numbers";
+import type { LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing } from "./data.ts";
+import { picture, svg } from "./elements.ts";
+import { at, between, extent, number, row } from "./numbers.ts";
 
 /** A point, in the units of the picture: to the right and down. */
 interface Point {
@@ -41,14 +41,13 @@ export class Mechanism {
   readonly element: SVGSVGElement;
   /** Crank angle at which all begins again. [deg] */
   readonly cycle: number;
+  private readonly drawing: MachineDrawing;
   private readonly moving: Moving[] = [];
   private readonly scale: number;
   private readonly shifts: ReadonlyMap<string, Point>;
 
-  constructor(
-    private readonly drawing: MachineDrawing,
-    label: string,
-  ) {
+  constructor(drawing: MachineDrawing, label: string) {
+    this.drawing = drawing;
     this.cycle = at(drawing.crank_angle, drawing.crank_angle.values.length - 1);
     this.shifts = brokenShifts(drawing);
     const bounds = this.bounds();
@@ -416,15 +415,17 @@ export class Mechanism {
 
 /** A slider as it is: a piston in its cylinder, a crosshead with piston rod and piston, a ram, a block on a guide. */
 class Slider {
+  private readonly of: OutputDrawing;
+  private readonly scale: number;
+  private readonly isShared: boolean;
   private readonly travel: readonly [number, number];
   private readonly bore: number | null;
   private readonly toward: 1 | -1;
 
-  constructor(
-    private readonly of: OutputDrawing,
-    private readonly scale: number,
-    private readonly isShared: boolean,
-  ) {
+  constructor(of: OutputDrawing, scale: number, isShared: boolean) {
+    this.of = of;
+    this.scale = scale;
+    this.isShared = isShared;
     this.travel = [at(of.travel, 0) * scale, at(of.travel, 1) * scale];
     this.bore = of.bore === null || of.is_valve ? null : of.bore * scale;
     this.toward = of.is_far ? -1 : 1;

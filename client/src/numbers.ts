@@ -1,6 +1,6 @@
 // Numbers of a page: one block, of which each array knows its place.
 
-import type { Float, Numbers } from "./data";
+import type { Float, Numbers } from "./data.ts";
 
 interface Place {
   readonly at: number;

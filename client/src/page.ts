@@ -1,15 +1,15 @@
 // A page of one machine: the mechanism beside its curves, tab by tab, all at one crank angle.
 
-import { hashOf, placeIn } from "./address";
-import { curves, lineSample, type Shown } from "./curves";
-import type { MachinePage, PageRuler, PageSheet, PageTab } from "./data";
-import { html } from "./elements";
-import { Mechanism } from "./mechanism";
-import { number } from "./numbers";
-import { bars, polars, shapes, stars, wear } from "./plane";
-import { answer, checks, table } from "./tables";
-import { Turning } from "./turning";
-import { said } from "./words";
+import { hashOf, placeIn } from "./address.ts";
+import { curves, lineSample, type Shown } from "./curves.ts";
+import type { MachinePage, PageRuler, PageSheet, PageTab } from "./data.ts";
+import { html } from "./elements.ts";
+import { Mechanism } from "./mechanism.ts";
+import { number } from "./numbers.ts";
+import { bars, polars, shapes, stars, wear } from "./plane.ts";
+import { answer, checks, table } from "./tables.ts";
+import { Turning } from "./turning.ts";
+import { said } from "./words.ts";
 
 /** Characters from which on a sentence with a list is folded. */
 const LONG = 180;

@@ -1,11 +1,11 @@
 // Pictures in the plane: polar diagrams, stars, circles of wear, bars, shapes along a shaft.
 
-import type { PageBars, PagePolar, PagePolars, PageShapes, PageStars, PageWear, Rays } from "./data";
-import { html, picture, svg } from "./elements";
-import { colour, methodPen } from "./ink";
-import { at, between, extent, figure, number, row, ticks } from "./numbers";
-import type { Shown } from "./curves";
-import { said, spans } from "./words";
+import type { PageBars, PagePolar, PagePolars, PageShapes, PageStars, PageWear, Rays } from "./data.ts";
+import { html, picture, svg } from "./elements.ts";
+import { colour, methodPen } from "./ink.ts";
+import { at, between, extent, figure, number, row, ticks } from "./numbers.ts";
+import type { Shown } from "./curves.ts";
+import { said, spans } from "./words.ts";
 
 const POLAR = 300;
 const RIM = 26;

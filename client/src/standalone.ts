@@ -3,9 +3,9 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 
-import type { MachinePage } from "./data";
-import { revived } from "./numbers";
-import { showPage } from "./page";
+import type { MachinePage } from "./data.ts";
+import { revived } from "./numbers.ts";
+import { showPage } from "./page.ts";
 
 async function opened(id: string): Promise<ArrayBuffer> {
   const text = document.getElementById(id)?.textContent ?? "";

@@ -1,9 +1,9 @@
 // Tables: rows of an answer, tables of a sheet, checks.
 
-import type { PageCheck, PageTable, WrittenGroup } from "./data";
-import { html, svg } from "./elements";
-import { colour, methodPen } from "./ink";
-import { said } from "./words";
+import type { PageCheck, PageTable, WrittenGroup } from "./data.ts";
+import { html, svg } from "./elements.ts";
+import { colour, methodPen } from "./ink.ts";
+import { said } from "./words.ts";
 
 /** Show the rows of an answer, as the terminal has them. */
 export function answer(group: WrittenGroup): HTMLElement {

@@ -3,18 +3,24 @@
 /** One turn in so many seconds. */
 const TURN = 4;
 
+/** Asks for a call at the next picture. [ms] */
+type Frame = (next: (time: number) => void) => void;
+
 /** A crank angle within a cycle, which turns or stands. */
 export class Turning {
   angle = 0;
   isPlaying = false;
+  /** After which all begins again. [deg] */
+  readonly cycle: number;
+  private readonly changed: (angle: number, isPlaying: boolean) => void;
+  private readonly frame: Frame;
   private last = 0;
 
-  constructor(
-    /** After which all begins again. [deg] */
-    readonly cycle: number,
-    private readonly changed: (angle: number, isPlaying: boolean) => void,
-    private readonly frame: (next: (time: number) => void) => void = (next) => { requestAnimationFrame(next); },
-  ) {}
+  constructor(cycle: number, changed: (angle: number, isPlaying: boolean) => void, frame: Frame = (next) => { requestAnimationFrame(next); }) {
+    this.cycle = cycle;
+    this.changed = changed;
+    this.frame = frame;
+  }
 
   /** Stand at an angle. [deg] */
   stand(angle: number): void {

@@ -1,6 +1,6 @@
 // Words with formulas among them, set as mathematics.
 
-import { html, svg } from "./elements";
+import { html, svg } from "./elements.ts";
 
 const FORMULA = "\ue000";
 

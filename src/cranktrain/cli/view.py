@@ -40,4 +40,5 @@ def _output_problems(output: str | None) -> Iterator[Problem]:
         yield Problem("-o", None, allowed, _("write -o page.html, or -o - for the standard output"))
     elif output not in STANDARD_OUTPUT and PurePath(output).suffix.lower() not in _SUFFIXES:
         allowed = _("must end in .html: it is a page")
-        yield Problem("-o", one_line(output), allowed, _('write "{text}"', text=one_line(str(PurePath(output).with_suffix(_SUFFIXES[0])))))
+        page = PurePath(output or "page").with_suffix(_SUFFIXES[0])
+        yield Problem("-o", one_line(output), allowed, _('write "{text}"', text=one_line(str(page))))

@@ -45,6 +45,11 @@ def packed(value: object) -> Packed:
     return Packed(packer.plain(value), packer.numbers)
 
 
+def _names_of(value: Any) -> tuple[str, ...]:
+    """Names of what a record or a named tuple holds; none of what is neither."""
+    return tuple(field.name for field in fields(value)) if is_dataclass(value) else getattr(value, "_fields", ())
+
+
 class _Packer:
     """Collects arrays as they come."""
 
@@ -58,7 +63,7 @@ class _Packer:
         """All of them, one behind the other."""
         return np.concatenate(self._blocks) if self._blocks else np.empty(0, np.float32)
 
-    def plain(self, value: object) -> object:
+    def plain(self, value: Any) -> object:
         """Give a value as JSON has it."""
         match value:
             case None | bool() | int() | str():
@@ -69,17 +74,14 @@ class _Packer:
                 return str(value)
             case np.ndarray():
                 return self._array(cast(NDArray[Any], value))
-            case Mapping():
-                return {str(name): self.plain(one) for name, one in cast(Mapping[object, object], value).items()}
-            case tuple() if hasattr(value, "_asdict"):
-                return {"is": type(value).__name__, **cast("dict[str, object]", self.plain(cast(Any, value)._asdict()))}
-            case Sequence():
-                return [self.plain(one) for one in cast("Sequence[object]", value)]
-            case _ if is_dataclass(value):
-                own = {field.name: self.plain(getattr(value, field.name)) for field in fields(value)}
-                return {"is": type(value).__name__, **own}
             case np.generic():
                 return self.plain(value.item())
+            case Mapping():
+                return {str(name): self.plain(one) for name, one in cast("Mapping[object, Any]", value).items()}
+            case _ if names := _names_of(value):
+                return {"is": type(value).__name__, **{name: self.plain(getattr(value, name)) for name in names}}
+            case Sequence():
+                return [self.plain(one) for one in cast("Sequence[Any]", value)]
             case _:
                 raise TypeError(type(value).__name__)
 

@@ -1,0 +1,35 @@
+"""A real browser for tests: Debian's Chromium, or another that is there."""
+
+import shutil
+from contextlib import contextmanager
+
+import pytest
+
+_CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+_QUIET = ("--no-sandbox", "--disable-gpu", "--disable-quic", "--disable-background-networking", "--disable-sync")
+
+
+@contextmanager
+def browser():
+    """Start it; skip where there is none."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="needs Playwright: pip install playwright")
+    if _CHROMIUM is None:
+        pytest.skip("needs Chromium: apt install chromium")
+    with playwright.sync_playwright() as started:
+        one = started.chromium.launch(executable_path=_CHROMIUM, args=list(_QUIET))
+        yield one
+        one.close()
+
+
+class Watched:
+    """A page of a browser, and what it should not have done: errors, and requests beyond its own address."""
+
+    def __init__(self, context, address):
+        self.faults = []
+        self.page = context.new_page()
+        self.page.on("console", lambda said: self.faults.append(said.text) if said.type == "error" else None)
+        self.page.on("pageerror", lambda error: self.faults.append(str(error)))
+        own = address.partition("#")[0], "data:", "blob:"
+        self.page.on("request", lambda asked: None if asked.url.startswith(own) else self.faults.append(asked.url))
+        self.page.goto(address)
+        self.page.wait_for_selector(".tabs button")

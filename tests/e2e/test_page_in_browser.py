@@ -1,0 +1,213 @@
+"""A page that stands alone, in a real browser, as a person uses it."""
+
+import re
+
+import numpy as np
+import pytest
+from tests.browser import Watched, browser
+
+import cranktrain as ct
+from cranktrain.io.examples import EXAMPLES_FOLDER
+from cranktrain.web.standalone import standalone_page
+
+EXAMPLES = sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml"))
+SETTLED = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
+LEAST_TEXT = 10.9
+"""[px]"""
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    with browser() as one:
+        yield one
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    folder, found = tmp_path_factory.mktemp("pages"), {}
+
+    def address(name):
+        if name not in found:
+            path = folder / f"{name}.html"
+            path.write_text(standalone_page(ct.run(name)), encoding="utf-8")
+            found[name] = path.as_uri()
+        return found[name]
+
+    return address
+
+
+@pytest.fixture
+def opened(chromium, written):
+    contexts = []
+
+    def open_page(name, place="#phi=0", width=1440, height=900, **more):
+        contexts.append(chromium.new_context(viewport={"width": width, "height": height}, **more))
+        watched = Watched(contexts[-1], written(name) + place)
+        found.append(watched)
+        return watched.page
+
+    found = []
+    yield open_page
+    for context in contexts:
+        context.close()
+    assert [fault for one in found for fault in one.faults] == []
+
+
+def angle(page):
+    return float(re.search(r"= (\d+(\.\d+)?)°", page.locator("output.angle").inner_text())[1])
+
+
+def readings(page, panel):
+    items = page.locator(".panel", has_text=panel).first.locator(".legend li")
+    return {one.split("\n")[0].strip(): one.split("\n")[-1].strip() for one in items.all_inner_texts()}
+
+
+def test_keys_turn_the_crank(opened):
+    page = opened("3d12")
+    assert angle(page) == 0.0
+    presses = {"ArrowRight": 1, "Shift+ArrowRight": 11, "Home": 0, "Shift+ArrowLeft": 710, "ArrowLeft": 709}
+    for key, expected in presses.items():
+        page.keyboard.press(key)
+        assert angle(page) == expected, key
+
+
+def test_space_turns_and_stops_at_a_whole_degree(opened):
+    page = opened("burning_cylinder")
+    page.keyboard.press(" ")
+    for _wait in range(100):
+        page.wait_for_timeout(20)
+        if angle(page) > 3.0:
+            break
+    page.keyboard.press(" ")
+    stopped = angle(page)
+    assert stopped == round(stopped) > 3
+    page.wait_for_timeout(100)
+    assert angle(page) == stopped
+
+
+def test_tabs_by_keys_and_the_link_gives_the_same_screen(opened, written):
+    page = opened("3d12", "#phi=70")
+    page.locator(".tabs button").first.focus()
+    for _step in range(3):
+        page.keyboard.press("ArrowRight")
+    assert page.locator(".tabs button[aria-selected=true]").inner_text() == "Largest forces"
+    assert page.evaluate("document.activeElement.textContent") == "Largest forces"
+    assert angle(page) == 70.0
+    again = opened("3d12", "#" + page.url.partition("#")[2])
+    assert again.locator(".tabs button[aria-selected=true]").inner_text() == "Largest forces"
+    assert angle(again) == 70.0
+
+
+def test_values_at_the_cursor_are_the_result_s(opened):
+    page, found = opened("3d12", "#phi=137"), ct.run("3d12")
+    for panel, quantity, factor in (
+        ("Piston travel", "piston_displacement", 1e3),
+        ("Piston velocity", "piston_velocity", 1.0),
+        ("Piston acceleration", "piston_acceleration", 1.0),
+    ):
+        shown = readings(page, panel)
+        for piston in ("1L", "1R"):
+            value = factor * getattr(found, quantity)[found.labels["piston"].index(piston), 137]
+            assert float(shown[piston].replace("−", "-")) == pytest.approx(value, rel=6e-4), (panel, piston)
+
+
+def test_motion_over_one_turn_is_read_in_both_turns_of_a_cycle(opened):
+    page = opened("3d12", "#phi=100")
+    first = readings(page, "Piston velocity")
+    again = readings(opened("3d12", "#phi=460"), "Piston velocity")
+    assert first == again
+    assert first["1L"] != "–"
+
+
+def test_pointing_at_a_curve_sets_the_angle(opened):
+    page = opened("burning_cylinder")
+    box = page.locator(".plot .u-over").first.bounding_box()
+    page.mouse.click(box["x"] + box["width"] / 4, box["y"] + box["height"] / 2)
+    assert angle(page) == pytest.approx(90.0, abs=360.0 / box["width"])  # motion repeats itself each turn
+
+
+def test_dragging_turns_the_crank(opened):
+    page = opened("burning_cylinder")
+    box = page.locator("svg.mechanism .ring").first.bounding_box()
+    middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    around = [
+        (middle[0] + 60 * np.cos(part), middle[1] + 60 * np.sin(part)) for part in np.radians(np.arange(-90, 1, 10))
+    ]
+    page.mouse.move(*around[0])
+    page.mouse.down()
+    for point in around[1:]:
+        page.mouse.move(*point)
+    page.mouse.up()
+    assert angle(page) == pytest.approx(90.0, abs=3.0)
+
+
+NAMES = "() => [...document.querySelectorAll('.mechanism circle.pin')].map((pin) => pin.textContent)"
+STAND = """(angle) => {
+    const slider = document.querySelector('.turning-controls input');
+    slider.value = angle;
+    slider.dispatchEvent(new Event('input'));
+}"""
+MIDDLES = """(names) => names.map((name) => {
+    const all = [...document.querySelectorAll('.mechanism circle.pin')];
+    const pin = all.find((one) => one.textContent === name).getBoundingClientRect();
+    return [pin.x + pin.width / 2, pin.y + pin.height / 2];
+})"""
+
+
+@pytest.mark.parametrize("name", ["3d12", "jaw_crusher", "r_1340"])
+def test_drawn_to_scale(opened, name):
+    """Distances between drawn pins are those of the machine within half a pixel, at every 10°."""
+    page = opened(name)
+    at = np.arange(0.0, 360.0, 10.0)
+    first = ct.drawing(ct.load(name), at).mechanisms[0]
+    pins = [pin for pin in dict.fromkeys(page.evaluate(NAMES)) if pin in first.pins][:2]
+    drawn = []
+    for degree in at:
+        page.evaluate(STAND, degree)
+        drawn.append(np.hypot(*np.subtract(*page.evaluate(MIDDLES, pins))))
+    true = np.hypot(*(first.pins[pins[0]] - first.pins[pins[1]]))
+    np.testing.assert_allclose(drawn, np.sum(drawn) / np.sum(true) * true, atol=0.5)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_every_tab_of_every_example(opened, name):
+    """Something is drawn or said on each; no text is too small, nothing reaches beyond the window."""
+    page = opened(name, width=1024, height=768)
+    for tab in page.locator(".tabs button").all():
+        tab.click()
+        page.evaluate(SETTLED)
+        drawn = page.locator(".sheets canvas, .sheets svg, .sheets table, .sheets p, .answers tr").count()
+        assert drawn, tab.inner_text()
+        assert page.evaluate("document.documentElement.scrollWidth") <= 1024, tab.inner_text()
+        smallest = page.evaluate(
+            """() => Math.min(...[...document.querySelectorAll('svg text')].filter((one) => one.getClientRects().length)
+            .map((one) => parseFloat(getComputedStyle(one).fontSize) * one.ownerSVGElement.getScreenCTM().a))"""
+        )
+        assert smallest > LEAST_TEXT, tab.inner_text()
+
+
+def test_on_a_phone_nothing_reaches_beyond_the_window(opened):
+    page = opened("3d12", width=390, height=844, has_touch=True, is_mobile=True)
+    for tab in page.locator(".tabs button").all():
+        tab.click()
+        page.evaluate(SETTLED)
+        assert page.evaluate("document.documentElement.scrollWidth") <= 390, tab.inner_text()
+
+
+def test_who_wants_little_motion_gets_none(opened):
+    page = opened("burning_cylinder", "", reduced_motion="reduce")
+    page.wait_for_timeout(150)
+    assert angle(page) == 0.0
+
+
+def test_script_in_a_name_stays_text(opened, tmp_path, chromium):
+    text = "</script><img src=x onerror=\"document.title='bad'\"><b>name</b>"
+    machine = ct.load("textbook_78x78").with_({"name": text})
+    path = tmp_path / "named.html"
+    path.write_text(standalone_page(ct.run(machine)), encoding="utf-8")
+    context = chromium.new_context()
+    watched = Watched(context, path.as_uri() + "#phi=0")
+    assert watched.page.title() == text
+    assert watched.page.locator("h1").inner_text() == text
+    assert watched.faults == []
+    context.close()

@@ -1,0 +1,116 @@
+"""What a page has of a machine: the terminal's rows, a picture or a reason on every tab, curves of the result."""
+
+import json
+from functools import cache
+
+import numpy as np
+import pytest
+from tests.unit.web.test_packed import array
+
+import cranktrain as ct
+from cranktrain.io.examples import EXAMPLES_FOLDER
+from cranktrain.saying.row_words import row_words
+from cranktrain.web.packed import packed
+from cranktrain.web.page import machine_page
+from cranktrain.web.parts import PageCurves, PageNotes, PagePolars
+from cranktrain.web.standalone import standalone_page
+
+EXAMPLES = sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml"))
+
+
+@cache
+def result(name):
+    return ct.run(name)
+
+
+@cache
+def page(name):
+    return machine_page(result(name))
+
+
+def parts(tab):
+    return [part for sheet in tab.sheets for column in sheet.columns for part in column]
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_every_row_of_the_terminal_is_on_the_page(name):
+    rows = [row for _title, rows in result(name).answer_rows() for row in rows]
+    shown = [row for tab in page(name).tabs for row in tab.answer.rows]
+    assert [row.name for row in shown] == [str(row.name) for row in rows]
+    for row, own in zip(shown, rows, strict=True):
+        if len(row.cells) == 1:
+            assert row_words(own).startswith(f"{row.name}: {row.cells[0]}")
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_every_tab_has_something_and_sheets_have_a_picture_or_a_reason(name):
+    for tab in page(name).tabs:
+        assert tab.answer.rows or parts(tab), tab.title
+        for sheet in tab.sheets:
+            assert any(column for column in sheet.columns), tab.title
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_a_browser_can_take_it(name):
+    found = packed(page(name))
+    json.dumps(found.data, allow_nan=False)
+    assert found.numbers.dtype == np.float32
+
+
+@pytest.mark.parametrize("name", ["3d12", "vaz_21213", "deltic"])
+def test_the_largest_pages_are_below_half_a_megabyte(name):
+    assert len(standalone_page(result(name)).encode()) < 500_000
+
+
+def test_curves_are_those_of_the_result():
+    found = result("3d12")
+    (stack,) = [part for part in parts(page("3d12").tabs[0]) if isinstance(part, PageCurves)]
+    travel = next(panel for panel in stack.panels if str(panel.title) == "Piston travel")
+    assert travel.unit == "mm"
+    place = found.labels["piston"].index("1L")
+    np.testing.assert_array_equal(travel.curves[0].values[:360], 1e3 * found.piston_displacement[place][:360])
+
+
+def test_polar_diagrams_of_bearings_are_in_their_unit():
+    found = result("3d12")
+    bearings = page("3d12").tabs[-1]
+    polars = next(part for part in parts(bearings) if isinstance(part, PagePolars))
+    largest = max(float(np.hypot(*one.largest)) for one in polars.diagrams)
+    assert polars.unit == "kN"
+    assert largest == pytest.approx(1e-3 * float(found.largest_bearing_load.max()), rel=0.2)
+    for one in polars.diagrams:
+        assert np.hypot(*one.largest) >= np.max(np.hypot(*one.curves[0].points)) * (1 - 1e-12)
+
+
+def test_a_sheet_that_lacks_something_says_what():
+    evenness = next(tab for tab in page("textbook_78x78").tabs if str(tab.title) == "Evenness")
+    (first, *_others) = parts(evenness)
+    assert isinstance(first, PageNotes)
+    assert "[evenness]" in str(first.sentences[0])
+
+
+def test_the_drawing_goes_over_the_cycle_and_closes():
+    drawing = page("3d12").drawing
+    assert drawing.crank_angle[0] == 0.0
+    assert drawing.crank_angle[-1] == page("3d12").cycle == 720.0
+    for mechanism in drawing.mechanisms:
+        for pin in mechanism.pins.values():
+            np.testing.assert_allclose(pin[:, 0], pin[:, -1], atol=1e-15)
+            np.testing.assert_allclose(pin[:, 0], pin[:, 180], atol=1e-15)
+
+
+def test_words_and_units_are_those_that_are_chosen():
+    from cranktrain.quantities import shown_by, units_by_dimension
+
+    with shown_by(units_by_dimension(["in"])):
+        found = packed(machine_page(result("textbook_78x78")))
+    first = next(
+        part
+        for sheet in found.data["tabs"][0]["sheets"]
+        for column in sheet["columns"]
+        for part in column
+        if part["is"] == "PageCurves"
+    )
+    travel = first["panels"][0]
+    assert travel["unit"] == "in"
+    assert np.max(array(found, travel["curves"][0]["values"])) == pytest.approx(78.0 / 25.4, rel=1e-4)
