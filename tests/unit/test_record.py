@@ -5,6 +5,7 @@ import pickle
 from collections.abc import Mapping
 from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
+from inspect import signature
 
 import numpy as np
 import pytest
@@ -30,6 +31,15 @@ class Forked(Rod):
     """A rod with a fork."""
 
     fork: float = field(kw_only=True)
+
+
+@record
+class Named:
+    """Fields by the names that its `__init__` might use."""
+
+    own: float
+    cls: float
+    fields: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +75,22 @@ def test_nothing_can_be_changed(one):
 def test_it_is_shown_as_a_dataclass_is():
     assert repr(Rod(0.136, ("pin",))) == "Rod(length=0.136, joints=('pin',), labels={})"
     assert repr(Model(0.136, ("pin",))) == "Model(length=0.136, joints=('pin',))"
+
+
+def test_what_it_takes_is_what_a_dataclass_takes():
+    """Before there is an instance as after it, with the fields' types, and whatever their names are."""
+
+    @dataclass(eq=False)
+    class Other(Rod):
+        fork: float = field(kw_only=True)
+
+    for _time in range(2):
+        assert str(signature(Forked)) == str(signature(Other))
+        with pytest.raises(TypeError, match=r"missing 1 required keyword-only argument: 'fork'"):
+            Forked(0.1)
+    assert Forked.__init__.__qualname__ == "Forked.__init__"
+    assert (Named(1.0, cls=2.0).own, Named(1.0, 2.0, ("a",)).fields) == (1.0, ("a",))
+    assert Rod(0.1).labels is not Rod(0.2).labels
 
 
 def test_it_is_equal_to_itself_alone():

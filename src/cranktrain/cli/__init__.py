@@ -45,6 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _end_by_exception()
         gc.disable()  # a program so short leaves no garbage, and looking for it takes a sixth of its time
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for systems of a few unknowns more threads only wait
+        os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # who looks for some asks every installed package
     try:
         _look_at_streams()
         if _COMPLETING in os.environ and arguments is None:

@@ -1,6 +1,7 @@
 """What a command line asks for, as a task: it is done when Typer has returned."""
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from functools import cache, partial, wraps
 from typing import Any, ParamSpec, cast
 
@@ -44,7 +45,8 @@ def task_of(app: typer.Typer, arguments: Sequence[str], name: str) -> Task:
     KeyboardInterrupt
     """
     try:
-        given: object = commands_of(app)(list(arguments) or ["--help"], prog_name=name, standalone_mode=False)
+        commands = _laid_out(app, chosen_language(), _named(app, arguments))
+        given: object = commands(list(arguments) or ["--help"], prog_name=name, standalone_mode=False)
     except _USAGE_ERROR as error:
         raise InputError([_usage_problem(error)]) from None
     except typer.Abort:
@@ -56,17 +58,37 @@ def task_of(app: typer.Typer, arguments: Sequence[str], name: str) -> Task:
 
 def commands_of(app: typer.Typer) -> Any:
     """All commands of an app with their arguments and options, as Typer's group of them, in the reader's language."""
-    return _laid_out(app, chosen_language())
+    return _laid_out(app, chosen_language(), None)
+
+
+def _named(app: typer.Typer, arguments: Sequence[str]) -> str | None:
+    """Which command is named; None for help about all of them, what is no command, or where there is but one."""
+    registered = (*app.registered_commands, *app.registered_groups)
+    is_named = bool(arguments) and app.registered_callback is not None
+    return next((one.name for one in registered if is_named and one.name == arguments[0]), None)
 
 
 @cache
-def _laid_out(app: typer.Typer, _language: str | None) -> Any:
-    """Those commands, which are laid out once for each language."""
+def _laid_out(app: typer.Typer, _language: str | None, name: str | None) -> Any:
+    """Those commands, or the named one alone, laid out once for each language: all take as long as a small run."""
+    if name is not None:
+        app = copy(app)
+        app.registered_commands = [one for one in app.registered_commands if one.name == name]
+        app.registered_groups = [one for one in app.registered_groups if one.name == name]
     group: Any = get_command(app)
     for command in (group, *getattr(group, "commands", {}).values()):
         for helped in (command, *command.params):
             helped.help = _(getattr(helped, "help", None) or "")
+        for parameter in command.params:
+            parameter.process_value = partial(_processed, parameter, parameter.process_value)
     return group
+
+
+def _processed(parameter: Any, process: Callable[[Any, Any], Any], context: Any, value: Any) -> Any:
+    """Read what was given; for what was not given Typer would make an adapter too, which takes a millisecond."""
+    if value is None and not parameter.required and parameter.callback is None:
+        return () if parameter.multiple or parameter.nargs == -1 else None
+    return process(context, value)
 
 
 def put_off(command: Callable[_Given, None]) -> Callable[_Given, Task]:

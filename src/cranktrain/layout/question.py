@@ -38,6 +38,13 @@ _NO_NEEDS = ("return", "of", "labels", "design")
 """What is returned, and which of a result is asked for."""
 
 
+def _hints(function: Callable[..., Any]) -> Mapping[str, Any]:
+    """Give its annotations; only those that are texts have to be read."""
+    annotations: Mapping[str, Any] = {} if isinstance(function, type) else getattr(function, "__annotations__", {})
+    is_read = annotations and not any(isinstance(one, str) for one in annotations.values())
+    return annotations if is_read else get_type_hints(function)
+
+
 class Needs(NamedTuple):
     """What the parameters of a function ask for: types by name, and which of them may be absent."""
 
@@ -48,8 +55,7 @@ class Needs(NamedTuple):
 @cache
 def needs_of(function: Callable[..., Any]) -> Needs:
     """Read needs from annotations, but for which design is meant; one that is `X | None` may be absent."""
-    hints = get_type_hints(function)
-    hints = {name: hint for name, hint in hints.items() if name not in _NO_NEEDS}
+    hints = {name: hint for name, hint in _hints(function).items() if name not in _NO_NEEDS}
     choices = {name: [one for one in get_args(hint) if one is not NoneType] for name, hint in hints.items()}
     optional = frozenset(name for name, hint in hints.items() if NoneType in get_args(hint))
     return Needs({name: choices[name][0] if name in optional else hint for name, hint in hints.items()}, optional)
@@ -105,7 +111,7 @@ class Stage:
     @cached_property
     def gives(self) -> type:
         """Type of the result."""
-        return self.function if isinstance(self.function, type) else get_type_hints(self.function)["return"]
+        return self.function if isinstance(self.function, type) else _hints(self.function)["return"]
 
     @cached_property
     def word(self) -> str:
