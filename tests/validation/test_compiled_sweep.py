@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.study.cycle.kept import fingerprint
+from cranktrain.linkage.kept import fingerprint
 from cranktrain.study.sweep import computed
 from cranktrain.study.sweep.facts import FactsOfSweep
 from cranktrain.study.sweep.varied import combined_designs

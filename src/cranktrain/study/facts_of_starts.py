@@ -16,6 +16,7 @@ from cranktrain.extras import is_there
 from cranktrain.how_far import say_how_far
 from cranktrain.language import Words, _
 from cranktrain.layout.question import Stage
+from cranktrain.linkage.kept import is_kept
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.questions.start.asked import StartAsked
@@ -23,10 +24,11 @@ from cranktrain.questions.start.record import ReadyStarts, StartEvents, StartRun
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries
 from cranktrain.study.start import over_time_of_designs
-from cranktrain.transient.equation import Kernels
+from cranktrain.transient.equation import Kernels, joined
+from cranktrain.transient.runs import loop_of
 
-_COMPILING = 20.0
-"""How long it takes: from when on plain starts are longer in all. [s]"""
+_COMPILING, _LOADING = 20.0, 0.5
+"""How long it takes to compile starts, and to load what was compiled before: from when on plain ones are longer. [s]"""
 _compiled = set[Kernels]()
 """What this process has compiled."""
 
@@ -146,8 +148,8 @@ def _run_each(
         since = perf_counter()
         yield outcome(0, is_compiled=False)
         first = 1
-        if (perf_counter() - since) * (n_left - 1) > _COMPILING and n_designs > 1:
-            yield outcome(1, is_compiled=True)  # which compiles: threads must not do so at once
+        if n_designs > 1 and _is_worth_compiling(kernels, (perf_counter() - since) * (n_left - 1)):
+            yield outcome(1, is_compiled=True)  # which compiles or loads: threads must not do so at once
             first = 2
             _compiled.add(kernels)
     if kernels not in _compiled:
@@ -158,6 +160,11 @@ def _run_each(
             yield from pool.map(partial(outcome, is_compiled=True), range(first, n_designs))
         finally:
             pool.shutdown(cancel_futures=True)
+
+
+def _is_worth_compiling(kernels: Kernels, seconds: float) -> bool:
+    """Whether plain starts that take so long in all are better compiled; what is kept on disk is sooner there."""
+    return seconds > _COMPILING or (seconds > _LOADING and is_kept(loop_of(joined(kernels, True), True)))
 
 
 def _n_threads() -> int:

@@ -6,6 +6,7 @@ from types import CellType, FunctionType
 from typing import Any, ParamSpec, TypeVar, cast
 
 from cranktrain.linkage.compile import UNCOUNTED, WITHIN, teach_choices
+from cranktrain.linkage.kept import fingerprint, keep
 from cranktrain.motion import chosen
 
 Parameters = ParamSpec("Parameters")
@@ -27,6 +28,18 @@ def quick(
     return cast(Callable[Parameters, Outcome], _quick(function, faster, within))
 
 
+def kept(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
+    """Compile a function that Python calls, as `quick` does, and keep on disk what comes out."""
+    return cast(Callable[Parameters, Outcome], _kept(function))
+
+
+@cache
+def _kept(function: Any) -> Any:
+    made = quick(function)
+    keep(made)
+    return made
+
+
 @cache
 def _quick(function: Any, faster: frozenset[str], within: bool) -> Any:
     if not isinstance(function, FunctionType):
@@ -45,6 +58,9 @@ def _quick(function: Any, faster: frozenset[str], within: bool) -> Any:
         function.__name__,
         closure=_cells(function.__closure__, faster),
     )
+    if function.__closure__:
+        # By its name what is kept finds what it calls: one for each that others were joined into.
+        copy.__qualname__ = f"{function.__qualname__}_{fingerprint([copy])}"
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
     options = WITHIN if within else UNCOUNTED

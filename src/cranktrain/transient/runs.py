@@ -13,7 +13,7 @@ from cranktrain.language import N_
 from cranktrain.motion import Array
 from cranktrain.record import record
 from cranktrain.transient import endings
-from cranktrain.transient.compiling import quick
+from cranktrain.transient.compiling import kept, quick
 from cranktrain.transient.course import (
     ENDS,
     INERTIA_AFTER,
@@ -392,4 +392,4 @@ def loop_of(parts: Joined, is_compiled: bool) -> Any:
         return reason
 
     inner, begin = (quick(run_on), quick(begin_run)) if is_compiled else (run_on, begin_run)
-    return quick(loop) if is_compiled else loop
+    return kept(loop) if is_compiled else loop

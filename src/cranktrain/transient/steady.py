@@ -8,7 +8,7 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.numerics.roots import bracketed_roots
 from cranktrain.record import record
-from cranktrain.transient.compiling import quick
+from cranktrain.transient.compiling import kept, quick
 from cranktrain.transient.equation import DriveTrain, Kernels, TrainNumbers, joined, train_of
 from cranktrain.transient.gearing import turning_inertia
 from cranktrain.transient.step import N_STATE, ROW, Derive, error_of, integrate_along, take_step
@@ -156,7 +156,7 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
             table[at, 4] = 1.0 / slopes[1]
 
     derive_here, walk_to = (quick(derive), quick(_walk_to)) if is_compiled else (derive, _walk_to)
-    return quick(walk) if is_compiled else walk
+    return kept(walk) if is_compiled else walk
 
 
 def _walk_to(

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.transient.compiling import quick
+from cranktrain.transient.compiling import kept
 from cranktrain.transient.step import N_STATE, ROW, within
 
 TIME_AFTER, SPEED_AFTER, BEGIN, WIDTH, _STATE = range(5)
@@ -45,7 +45,7 @@ def states_within(steps: Array, start: Array, samples: Array, *, is_compiled: bo
     n_before = int(np.searchsorted(samples, 0.0, side="right"))
     table = np.empty((len(samples), N_STATE))
     table[:n_before] = start
-    fill = quick(fill_one_by_one) if is_compiled else _fill_at_once
+    fill = kept(fill_one_by_one) if is_compiled else _fill_at_once
     return table[: fill(steps, samples, n_before, table)]
 
 

@@ -1,6 +1,10 @@
 """Starts of several designs: each to the last bit as it is alone, plain and compiled; what cannot be, at its place."""
 
+import os
 import pickle
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -101,6 +105,31 @@ def test_compiled_they_are_the_same_to_the_last_bit(monkeypatch):
     ):
         held_to_each_alone(ct.start(designs(name, *values)))
     assert road._compiled
+
+
+IN_ANOTHER = """
+from numba.core import event
+from cranktrain.study import facts_of_starts as road
+from cranktrain.study.facts_of_starts import facts_of_starts
+from tests.unit.study.test_starts import RATIO, designs
+
+road._LOADING = 0.0
+with event.install_recorder("numba:compile") as compilations:
+    found = facts_of_starts(designs("tilting_table", *({RATIO: ratio} for ratio in (30, 10, 40))))
+print(found.values["effective_motor_torque"].tobytes().hex(), len(compilations.buffer), len(road._compiled))
+"""
+
+
+def test_another_process_compiles_nothing(monkeypatch):
+    """What this one compiled is kept: facts are the same to the last bit."""
+    pytest.importorskip("numba")
+    monkeypatch.setattr(road, "_COMPILING", 0.0)
+    found = ct.start(designs("tilting_table", *({RATIO: ratio} for ratio in (30, 10, 40))))
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[3])}
+    ended = subprocess.run(
+        [sys.executable, "-c", IN_ANOTHER], env=environment, check=True, capture_output=True, text=True
+    )
+    assert ended.stdout.split() == [found.effective_motor_torque.tobytes().hex(), "0", "1"]
 
 
 def test_without_numba_they_are_plain_and_that_is_said(monkeypatch):

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.record import StartCurves
-from cranktrain.transient.compiling import quick
+from cranktrain.transient.compiling import kept
 from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED, Kernels, joined
 from cranktrain.transient.floats import in_floats
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
@@ -121,7 +121,7 @@ def _loops_of(kernels: Kernels, is_compiled: bool) -> _Loops:
         for at in range(len(speeds)):
             torque[at] = motor(speeds[at], times[at], numbers)
 
-    return _Loops(quick(loads), quick(torques)) if is_compiled else _Loops(loads, torques)
+    return _Loops(kept(loads), kept(torques)) if is_compiled else _Loops(loads, torques)
 
 
 def close_times(case: StartCase, steps: Array, *, is_compiled: bool = False) -> Array:
@@ -161,6 +161,6 @@ def numbers_from(
     row = in_one_row(machine)
     numbers = row if is_compiled else row.tolist()
     if len(machine.chambers):
-        fill = quick(filled_at) if is_compiled else in_floats(filled_at)
+        fill = kept(filled_at) if is_compiled else in_floats(filled_at)
         fill(angle, numbers, pressure)
     return numbers

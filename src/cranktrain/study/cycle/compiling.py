@@ -15,9 +15,9 @@ import numpy as np
 
 from cranktrain.linkage import compiled as compiled_kernel
 from cranktrain.linkage.compile import UNCOUNTED, WITHIN
+from cranktrain.linkage.kept import keep
 from cranktrain.motion import Array
 from cranktrain.study.cycle import given, nodes, panels
-from cranktrain.study.cycle.kept import keep
 from cranktrain.study.cycle.powers import power
 from cranktrain.transient.compiling import quick
 
@@ -111,7 +111,7 @@ def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outc
 def called(function: Callable[Parameters, Outcome], *, within: bool = True) -> Callable[Parameters, Outcome]:
     """Compile a long loop, which is called, within compiled code or from Python, and keep what comes out."""
     compiled = quick(function, FASTER, within=within)
-    keep(compiled, function, *sorted(FASTER), *map(getsource, (given, nodes, panels)))
+    keep(compiled, *map(getsource, (given, nodes, panels)))
     return compiled
 
 
@@ -123,7 +123,7 @@ def part(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcom
 def loop(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile the outermost loop of a written file, whose name says what it is made of, and keep what comes out."""
     compiled = _compiled(function, nogil=True, **UNCOUNTED)
-    keep(compiled, function)
+    keep(compiled)
     return compiled
 
 

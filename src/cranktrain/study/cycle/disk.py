@@ -9,8 +9,8 @@ from pathlib import Path
 from tempfile import gettempdir
 from types import ModuleType
 
+from cranktrain.linkage.kept import fingerprint, folder
 from cranktrain.study.cycle import chambers, compiling, given, loops, nodes, panels, repeats, running, tops
-from cranktrain.study.cycle.kept import fingerprint, folder
 from cranktrain.study.cycle.source import WrittenLoops
 
 _LOOPS = (chambers, compiling, given, loops, nodes, panels, repeats, running, tops)

@@ -36,8 +36,8 @@ _MOST = 10_000_000
 """Designs in memory at once."""
 _LONG = 60.0
 """From when on somebody has to say that it is meant. [s]"""
-_WORTH, _WORTH_COMPILING = 6.0, 60.0
-"""From when on more processes are worth their start; of starts each has to compile them. [s]"""
+_WORTH = 6.0
+"""From when on more processes are worth their start. [s]"""
 _WORTH_NUMBA = 1000
 """Designs from when on it is said that there is none."""
 _CREW_OF_BLOCK = 4
@@ -111,8 +111,7 @@ def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_mea
         raise InputError([_long(len(designs), seconds / processes, why)])
     if tried.after - tried.first == len(designs):
         _refuse_all(tried.found, len(designs))
-    worth = _WORTH_COMPILING if plan.over_time and is_there("numba") else _WORTH
-    n_at_once = processes if seconds > worth else 1
+    n_at_once = processes if seconds > _WORTH else 1
     if blocks is None:
         blocks = blocks_of(designs.shape, _designs_of_block(tried.each, n_at_once, n_together, len(designs)))
         missing = list(range(len(blocks)))
