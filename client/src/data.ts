@@ -9,8 +9,8 @@ export interface Numbers {
   readonly shape: readonly number[];
 }
 
-export interface MachinePage {
-  readonly is: "MachinePage";
+export interface ShownMachine {
+  readonly is: "ShownMachine";
   readonly name: string;
   readonly made_of: string;
   readonly to_mind: readonly (string)[];

@@ -2,7 +2,7 @@
 
 import { hashOf, placeIn } from "./address.ts";
 import { curves, lineSample, type Shown } from "./curves.ts";
-import type { MachinePage, PageRuler, PageSheet, PageTab } from "./data.ts";
+import type { ShownMachine, PageRuler, PageSheet, PageTab } from "./data.ts";
 import { html } from "./elements.ts";
 import { Mechanism } from "./mechanism.ts";
 import { number } from "./numbers.ts";
@@ -20,7 +20,7 @@ const WIDE = 1.8;
 type Part = PageSheet["columns"][number][number];
 
 /** Show a machine in an element. */
-export function showPage(page: MachinePage, into: HTMLElement): void {
+export function showPage(page: ShownMachine, into: HTMLElement): void {
   const { words } = page;
   const mechanism = new Mechanism(page.drawing, words.drawing);
   const cycle = number(page.cycle);

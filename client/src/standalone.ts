@@ -3,7 +3,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 
-import type { MachinePage } from "./data.ts";
+import type { ShownMachine } from "./data.ts";
 import { revived } from "./numbers.ts";
 import { showPage } from "./page.ts";
 
@@ -15,7 +15,7 @@ async function opened(id: string): Promise<ArrayBuffer> {
 
 async function start(): Promise<void> {
   const [data, numbers] = await Promise.all([opened("data"), opened("numbers")]);
-  const page = revived(JSON.parse(new TextDecoder().decode(data)), new Float32Array(numbers)) as MachinePage;
+  const page = revived(JSON.parse(new TextDecoder().decode(data)), new Float32Array(numbers)) as ShownMachine;
   const into = document.getElementById("page");
   if (into) showPage(page, into);
 }

@@ -96,14 +96,14 @@ def _page_words() -> PageWords:
 
 
 @record
-class MachinePage:
+class ShownMachine:
     """All that a page shows of a machine.
 
     Attributes
     ----------
     name, made_of : str
         Which machine it is.
-    to_mind : tuple of str
+    to_mind : tuple of Words
         What is to be minded of it.
     cycle : float
         Crank angle at which all begins again. [deg]
@@ -118,7 +118,7 @@ class MachinePage:
 
     name: str
     made_of: str
-    to_mind: tuple[str, ...]
+    to_mind: tuple[Words, ...]
     cycle: float
     speed: float
     tabs: tuple[PageTab, ...]
@@ -127,7 +127,7 @@ class MachinePage:
     words: PageWords
 
 
-def machine_page(result: Result) -> MachinePage:
+def machine_page(result: Result) -> ShownMachine:
     """Collect what a page shows of a machine.
 
     Parameters
@@ -137,13 +137,13 @@ def machine_page(result: Result) -> MachinePage:
 
     Returns
     -------
-    MachinePage
+    ShownMachine
     """
     machine = result.machines[0]
     name, made_of = headed(result)
     throw = first_throw(machine)
     speed = machine.main_shaft.speed
-    return MachinePage(
+    return ShownMachine(
         name=name,
         made_of=made_of,
         to_mind=tuple(sentence for of_sort in to_mind(result) for sentence in of_sort),

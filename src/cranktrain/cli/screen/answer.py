@@ -65,7 +65,7 @@ def conditions(result: Result, width: int) -> Iterator[str]:
 def minded(result: Result) -> list[str]:
     """Give sentences to mind, those that say the same of several in one."""
     unused, failed, flags = to_mind(result)
-    return [*unused, *failed, *joined(flags)]
+    return [*map(str, (*unused, *failed)), *joined(list(map(str, flags)))]
 
 
 def joined(flags: Sequence[str]) -> Iterator[str]:
