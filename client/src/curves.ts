@@ -88,14 +88,14 @@ class ShownPanel {
   show(angle: number): void {
     this.angle = angle;
     if (!this.isOverAngle) return;
-    const end = this.reach()[1];
+    const [start, end] = this.reach();
     const place = angle > end ? angle % end : angle;
     this.readings.forEach((reading, which) => {
       const line = this.lines[which];
       if (line) reading.textContent = figures(interpolated(line.across, line.values, place), this.largest);
     });
     const cursor = this.element.querySelector<HTMLElement>(".cursor");
-    if (cursor && this.plot) cursor.style.transform = `translateX(${this.plot.valToPos(place, "x").toFixed(1)}px)`;
+    if (cursor) cursor.style.left = `${((100 * (place - start)) / (end - start)).toFixed(3)}%`;
   }
 
   fit(): void {

@@ -119,6 +119,17 @@ def test_motion_over_one_turn_is_read_in_both_turns_of_a_cycle(opened):
     assert first["1L"] != "–"
 
 
+def test_the_cursor_stands_at_the_crank_angle(opened):
+    page = opened("3d12", "#phi=90")
+    for tab in (0, 3):
+        page.locator(".tabs button").nth(tab).click()
+        page.evaluate(SETTLED)
+        for plot in page.locator(".stack .u-over").all():
+            over, cursor = plot.bounding_box(), plot.locator(".cursor").bounding_box()
+            part = (cursor["x"] - over["x"]) / over["width"]
+            assert part == pytest.approx(90.0 / (360.0 if tab == 0 else 720.0), abs=0.003)
+
+
 def test_pointing_at_a_curve_sets_the_angle(opened):
     page = opened("burning_cylinder")
     box = page.locator(".plot .u-over").first.bounding_box()
