@@ -51,14 +51,16 @@ class StageRun:
             Given what a stage gives, with names along its dimensions; raises where nobody is to have that.
         """
         way = self._way(kinds)
-        for place, one in enumerate(way, start=1):
-            say_how_far(partial(_how_far, place, len(way), one.gives))
-            outcome = self._given_by(one)
-            own: Labels | None = getattr(outcome, "labels", None)
-            labels = {**self.labels, **own} if own else self.labels
-            if accept is not None:
-                accept(outcome, labels)
-            self._known[one.gives], self.labels = outcome, labels
+        # NaN stands for links that cannot close, and is no news.
+        with np.errstate(all="ignore"):
+            for place, one in enumerate(way, start=1):
+                say_how_far(partial(_how_far, place, len(way), one.gives))
+                outcome = self._given_by(one)
+                own: Labels | None = getattr(outcome, "labels", None)
+                labels = {**self.labels, **own} if own else self.labels
+                if accept is not None:
+                    accept(outcome, labels)
+                self._known[one.gives], self.labels = outcome, labels
 
     def know(self, outcome: object) -> None:
         """Take an outcome that was found otherwise, on which stages may go on."""
@@ -89,9 +91,7 @@ class StageRun:
     def _given_by(self, stage: Stage) -> object:
         """Run a stage."""
         try:
-            # NaN stands for links that cannot close, and is no news.
-            with np.errstate(all="ignore"):
-                return stage.function(**{name: self._known.get(need) for name, need in stage.needs.items()})
+            return stage.function(**{name: self._known.get(need) for name, need in stage.needs.items()})
         except AttributeError as error:  # which would say of a result that it has no such quantity
             raise RuntimeError(f"{stage.outcome} could not be computed: {error}") from error
 
@@ -167,7 +167,7 @@ class Outcomes:
         coarse: tuple[Words, ...] = (),
     ) -> None:
         self.kinds = (*given, *(finding.kinds if finding is not None else ()))
-        self.labels, self._designs = FoundLabels(self, labels), labels["design"]
+        self.known, self._first, self._designs = dict(labels), tuple(labels), labels["design"]
         self._shown: dict[type, Any] = dict(given)
         self._finding, self._coarse = finding, coarse
         self._frozen: set[type] = set()
@@ -206,7 +206,12 @@ class Outcomes:
         try:
             run.find(kinds, accept)
         finally:
-            self.labels.known.update(run.labels)
+            self.known.update(run.labels)
+
+    @property
+    def labels(self) -> "FoundLabels":
+        """Names along dimensions. They hold the outcomes and not the other way, so that all goes with who holds it."""
+        return FoundLabels(self, self._first)
 
     @property
     def coarse(self) -> tuple[Words, ...]:
@@ -221,7 +226,7 @@ class Outcomes:
     def __getstate__(self) -> dict[str, Any]:
         """Give all but the lock, which is for the threads of one process, as it is now."""
         with self._lock:
-            state = {**vars(self), "_shown": dict(self._shown)}
+            state = {**vars(self), "_shown": dict(self._shown), "known": dict(self.known)}
             if self._finding is not None:
                 facts, curves = (self._finding.facts.as_now(), self._finding.curves.as_now())
                 is_one = self._finding.curves is self._finding.facts
@@ -237,27 +242,27 @@ class Outcomes:
 class FoundLabels(Mapping[str, tuple[str, ...]]):
     """Names along dimensions; of what was not computed yet, they are found with it."""
 
-    def __init__(self, outcomes: Outcomes, known: Labels) -> None:
-        self._outcomes, self._first, self.known = outcomes, tuple(known), dict(known)
+    def __init__(self, outcomes: Outcomes, first: Sequence[str]) -> None:
+        self._outcomes, self._first = outcomes, first
 
     def __getitem__(self, dimension: str) -> tuple[str, ...]:
+        known = self._outcomes.known
         for kind in self._outcomes.kinds:
-            if dimension in self.known:
+            if dimension in known:
                 break
             if any(dimension in entry.dimensions for entry in entries(kind)):
                 self._outcomes.find((kind,))
-        return self.known[dimension]
+        return known[dimension]
 
     def __iter__(self) -> Iterator[str]:
         self._outcomes.find(self._outcomes.kinds)
         held = (getattr(self._outcomes[kind], "labels", {}) for kind in self._outcomes.kinds)
-        return iter(dict.fromkeys([*self._first, *(name for labels in held for name in labels), *sorted(self.known)]))
+        return iter(
+            dict.fromkeys([*self._first, *(name for labels in held for name in labels), *sorted(self._outcomes.known)])
+        )
 
     def __repr__(self) -> str:
         return repr(dict(self))
-
-    def __getstate__(self) -> dict[str, Any]:
-        return {**vars(self), "known": dict(self.known)}
 
     def __len__(self) -> int:
         return sum(1 for _dimension in self)

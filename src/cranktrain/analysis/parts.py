@@ -2,8 +2,9 @@
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import cast
+from typing import NamedTuple, cast
 
+from cranktrain.all_questions import QUESTIONS
 from cranktrain.columns import in_columns
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
@@ -30,17 +31,35 @@ def parts_of(machines: Sequence[Machine], *, step: float) -> Parts:
     Parts
         By type: those of the layout, then those of every question; what the machines do not declare is left out.
     """
-    together = machines[0] if len(machines) == 1 else in_columns(machines)
-    return parts_together(together, [one.design for one in machines], step=step)
+    if len(machines) > 1:
+        return parts_together(in_columns(machines), [one.design for one in machines], step=step)
+    alone = machines[0]
+    return alone.design.once(_Laying(alone.asks, alone.cycle, step))
 
 
 def parts_together(together: Machine, each: Sequence[Design], *, step: float) -> Parts:
     """Lay out designs that stand together in the columns of one machine; of each what its own files say is taken."""
-    laid = laid_out(each, together.design, cycle=together.cycle, step=step)
-    parts: Parts = {type(part): part for part in layout_parts(laid) if part is not None}
-    for question in together.questions:
-        parts |= {type(part): part for part in question.parts(laid, parts) if part is not None}
-    return parts
+    return _Laying(together.asks, together.cycle, step).of(together.design, each)
+
+
+class _Laying(NamedTuple):
+    """How designs are laid out: what is asked of them, over which cycle, in which steps [rad]."""
+
+    asks: tuple[str, ...]
+    cycle: float
+    step: float
+
+    def __call__(self, design: Design) -> Parts:
+        """Lay out one."""
+        return self.of(design, (design,))
+
+    def of(self, together: Design, each: Sequence[Design]) -> Parts:
+        """Lay out some."""
+        laid = laid_out(each, together, cycle=self.cycle, step=self.step)
+        parts: Parts = {type(part): part for part in layout_parts(laid) if part is not None}
+        for question in map(QUESTIONS.named, self.asks):
+            parts |= {type(part): part for part in question.parts(laid, parts) if part is not None}
+        return parts
 
 
 def refuse_wrong(machines: Sequence[Machine], *, partial: bool = False) -> None:

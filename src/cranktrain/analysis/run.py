@@ -39,6 +39,12 @@ _BY_DESIGN = 2
 """Axes of a speed of one's own that differs among designs."""
 _ONE_STEP = 1e-12
 """Steps that differ by less are one. [rad]"""
+_LARGE = 2**24
+"""A block of memory as large as all arrays of a run. [B]"""
+
+# Glibc gives what a run frees back to the system, and has each page of it mapped and cleared again by the next run, a
+# tenth of its time, until a block was freed that is large; no page of this one is ever used.
+np.empty(_LARGE, dtype=np.uint8)
 
 
 def run(
@@ -111,7 +117,7 @@ def run(
             found.append([block.computed[kind] for kind in block.computed.kinds if is_kept(kind, names)])
             coarse += block.computed.coarse
             # Of all that a block has found, no more is kept.
-            blocks.append(replace(block, computed=Outcomes({}, dict(block.computed.labels.known))))
+            blocks.append(replace(block, computed=Outcomes({}, dict(block.computed.known))))
     given: dict[type, object] = {type(parts[0]): joined(parts, sizes) for parts in zip(*found, strict=True)}
     labels = {**blocks[0].labels, "design": _numbered(machines)}
     return replace(blocks[0], machines=machines, computed=Outcomes(given, labels, coarse=tuple(dict.fromkeys(coarse))))
