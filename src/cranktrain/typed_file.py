@@ -37,3 +37,8 @@ class TypedFile:
     folder: Path = Path()
     text: str = ""
     data: Mapping[str, Any] = field(default_factory=dict[str, Any])
+
+    @property
+    def reads(self) -> bool:
+        """Whether files that tables name are read: of a machine made in Python nobody knows where they would be."""
+        return self.files_read is not _unread

@@ -136,6 +136,8 @@ def _with_files(machine: Machine, values: Mapping[str, object]) -> Machine:
     """Give a machine with other values; files that nobody has read yet are relative to the working folder."""
     with problems_as(_of_set(values)):
         changed = machine.with_(values) if values else machine
+    if changed.typed_in.reads:
+        return changed
     filled, found = with_curves(changed.declared, Path())
     refuse(found)
     return changed if filled == changed.declared else Machine(**filled).coming_from(_HERE)

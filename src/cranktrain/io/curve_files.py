@@ -86,7 +86,8 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
     found: list[Problem] = []
     filled = dict(data)
     asked = map(QUESTIONS.named, QUESTIONS.by(data))
-    for curve in (*(file for question in asked for file in question.files), *FILES):
+    each = (*(file for question in asked for file in question.files), *FILES)
+    for curve in (one for one in each if one.table[0] in data):
         for path in _paths(data, curve):
             try:
                 filled = _filled(filled, path, curve, folder)

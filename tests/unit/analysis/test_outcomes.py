@@ -1,8 +1,11 @@
 """What is computed when it is read: the same whatever is read first, by whom, and wherever the result has been."""
 
 import copy
+import gc
 import pickle
+import platform
 import threading
+import weakref
 
 import numpy as np
 import pytest
@@ -141,6 +144,48 @@ def test_a_result_outlives_its_machine():
     result = ct.run(machine)
     del machine
     assert result.stroke[0] == pytest.approx(0.078, rel=1e-12)
+
+
+def test_a_result_goes_with_who_holds_it():
+    """Without a garbage collector, whatever was read of it: a page that follows a slider makes one after the other."""
+    result = ct.run("burning_cylinder")
+    result.find_all()
+    assert dict(result.labels)
+    gone = weakref.ref(result.computed)
+    gc.disable()
+    try:
+        del result
+        assert gone() is None
+    finally:
+        gc.enable()
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="what is given back is a matter of the C library")
+def test_memory_of_a_run_is_there_for_the_next():
+    """A run of this machine takes some thousand pages of 4 kB."""
+    import resource  # which not every system has
+
+    def run_once():
+        ct.run(machine, quantities="piston_force").find_all()
+
+    machine = ct.load("3d12")
+    for _warming in range(5):
+        run_once()
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+    for _time in range(20):
+        run_once()
+    assert (resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before) / 20 < 250
+
+
+def test_a_machine_is_laid_out_once():
+    machine = ct.load("burning_cylinder")
+    sent = len(pickle.dumps(machine))
+    parts = parts_of((machine,), step=FACTS_STEP)
+    assert parts_of((machine,), step=FACTS_STEP) is parts
+    assert parts_of((machine,), step=2 * FACTS_STEP) is not parts
+    assert parts_of((machine.with_({"mechanism.rod_length": "131 mm"}),), step=FACTS_STEP) is not parts
+    assert parts_of((copy.copy(machine),), step=FACTS_STEP) is not parts
+    assert len(pickle.dumps(machine)) == sent
 
 
 def test_what_cannot_be_had_is_never_run():
