@@ -24,12 +24,12 @@ def browser():
 class Watched:
     """A page of a browser, and what it should not have done: errors, and requests beyond its own address."""
 
-    def __init__(self, context, address):
+    def __init__(self, context, address, waits_for=".tabs button"):
         self.faults = []
         self.page = context.new_page()
         self.page.on("console", lambda said: self.faults.append(said.text) if said.type == "error" else None)
         self.page.on("pageerror", lambda error: self.faults.append(str(error)))
-        own = address.partition("#")[0], "data:", "blob:"
+        own = address.partition("#")[0], "data:", "blob:", "about:srcdoc"
         self.page.on("request", lambda asked: None if asked.url.startswith(own) else self.faults.append(asked.url))
         self.page.goto(address)
-        self.page.wait_for_selector(".tabs button")
+        self.page.wait_for_selector(waits_for)

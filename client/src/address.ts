@@ -20,3 +20,8 @@ export function hashOf(place: Place): string {
   const parts = { ...(place.tab ? { tab: `${place.tab}` } : {}), ...(Number.isNaN(place.angle) ? {} : { phi: `${+place.angle.toFixed(2)}` }) };
   return `#${new URLSearchParams(parts).toString()}`;
 }
+
+/** Keep a place in the address, without a step back; a page in the frame of a notebook has no address. */
+export function remember(place: Place): void {
+  if (location.protocol !== "about:") history.replaceState(null, "", hashOf(place));
+}

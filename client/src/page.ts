@@ -1,6 +1,6 @@
 // A page of one machine: the mechanism beside its curves, tab by tab, all at one crank angle.
 
-import { hashOf, placeIn } from "./address.ts";
+import { placeIn, remember } from "./address.ts";
 import { curves, lineSample, type Shown } from "./curves.ts";
 import type { ShownMachine, PageRuler, PageSheet, PageTab } from "./data.ts";
 import { html } from "./elements.ts";
@@ -36,7 +36,7 @@ export function showPage(page: ShownMachine, into: HTMLElement): void {
     slider.value = `${angle}`;
     reading.textContent = `φ = ${isPlaying ? Math.round(angle) : +angle.toFixed(1)}°`;
     const word = isPlaying ? words.stop : words.play;
-    if (!isPlaying || play.title !== word) history.replaceState(null, "", hashOf({ tab: chosen, angle: isPlaying ? NaN : angle }));
+    if (!isPlaying || play.title !== word) remember({ tab: chosen, angle: isPlaying ? NaN : angle });
     if (play.title !== word) {
       play.title = word;
       play.setAttribute("aria-label", word);

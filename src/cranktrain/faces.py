@@ -25,6 +25,7 @@ _HOMES = {
     "sheet_called": "viz.curves",
     "summary_of_designs": "analysis.designs_summary",
     "units_of": "io.description",
+    "view_of": "web.viewing",
 }
 
 

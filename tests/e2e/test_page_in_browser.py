@@ -211,6 +211,19 @@ def test_who_wants_little_motion_gets_none(opened):
     assert angle(page) == 0.0
 
 
+def test_in_the_frame_of_a_notebook_it_is_the_same_page(chromium, tmp_path):
+    path = tmp_path / "notebook.html"
+    path.write_text(f"<!doctype html>{ct.run('burning_cylinder').view()._repr_html_()}", encoding="utf-8")
+    context = chromium.new_context(viewport={"width": 1000, "height": 900}, reduced_motion="reduce")
+    watched = Watched(context, path.as_uri(), waits_for="iframe")
+    frame = watched.page.frame_locator("iframe")
+    frame.locator(".tabs button", has_text="Torque").click()
+    frame.locator("button", has_text="+1°").click()
+    assert frame.locator("output.angle").inner_text() == "φ = 1°"
+    assert watched.faults == []
+    context.close()
+
+
 def test_script_in_a_name_stays_text(opened, tmp_path, chromium):
     text = "</script><img src=x onerror=\"document.title='bad'\"><b>name</b>"
     machine = ct.load("textbook_78x78").with_({"name": text})

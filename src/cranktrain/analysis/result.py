@@ -369,6 +369,16 @@ class Result(Run):
         """
         return face("sheet_called")(self, name, size=size, design=design)
 
+    def view(self) -> Any:
+        """Give a page in which the machine moves beside its curves: a notebook shows it, `.save("page.html")` keeps it.
+
+        Raises
+        ------
+        InputError
+            Of several designs, or of a result that was asked for some quantities alone.
+        """
+        return face("view_of")(self)
+
     def __repr__(self) -> str:
         """Say in one line whose result it is."""
         line: str = face("result_line")(self)
