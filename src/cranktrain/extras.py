@@ -16,6 +16,7 @@ EXTRAS: Mapping[str, tuple[str, ...]] = {
     "fast": ("numba", "scipy"),
     "store": ("zarr",),
     "cluster": ("distributed",),
+    "web": ("fastapi", "uvicorn"),
 }
 """Packages by the extra that has them, of two extras the first by which a user would know what it is for."""
 

@@ -356,6 +356,31 @@ def _view(
 
 
 @_app.command(
+    "web",
+    help=N_(
+        "Serve a page to this computer, on which machines move, and any of their numbers may be changed.\n\n"
+        "\b\n"
+        "  cranktrain web\n"
+        "  cranktrain web 3d12"
+    ),
+)
+@put_off
+def _web(
+    file: Annotated[
+        str | None,
+        typer.Argument(metavar="[FILE]", help=N_("A machine file, or the name of an example."), show_default=False),
+    ] = None,
+    port: Annotated[int | None, typer.Option(metavar="N", help=N_("The first that is free unless given."))] = None,
+    no_browser: Annotated[
+        bool, typer.Option("--no-browser", help=N_("Open no browser; say the address alone."))
+    ] = False,
+) -> None:
+    from cranktrain.cli.web import serve
+
+    serve(file, port, opens=not no_browser)
+
+
+@_app.command(
     "synthesise",
     add_help_option=False,
     context_settings={"ignore_unknown_options": True, "allow_extra_args": True, "allow_interspersed_args": False},
