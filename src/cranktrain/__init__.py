@@ -69,8 +69,7 @@ A motor
     True
 
 Pictures
-    They are figures of matplotlib (`pip install 'cranktrain[plot]'`), which a notebook shows; `ct.viz` has plans and
-    constructions too.
+    Figures of matplotlib, `cranktrain[plot]`, which a notebook shows; `ct.viz` has plans and constructions too.
 
     >>> figure, sheet = result.plot("piston_velocity", "piston_acceleration"), result.sheet()
     >>> plan = ct.viz.plan_positions(pump, 12)

@@ -30,7 +30,7 @@ from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPist
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import KINDS, AnyMechanism
 from cranktrain.motion import Array
-from cranktrain.paths import path_text, with_values
+from cranktrain.paths import path_text, values_by_path, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.cylinders.spec import CylindersSpec
@@ -211,7 +211,7 @@ class Machine(Spec, frozen=True):
         >>> longer.mechanism.rod_length.text, machine.mechanism.rod_length.text
         ('140 mm', '136 mm')
         """
-        data, paths = with_values(self.declared, with_tuples(dict(values)))
+        data, paths = with_values(self.declared, with_tuples(values_by_path("with_", values, "machine.with_({})")))
         data, found = self.typed_in.files_read(in_place_of_lists(data, paths))
         refuse(found)
         # What is wrong is told in the units of its time.

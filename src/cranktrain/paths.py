@@ -47,14 +47,14 @@ def quantity_path(path: str) -> PathParts:
     ('mechanism', 'part', 1, 'rod 2', 'length')
     """
     parts: list[str | int] = []
-    start, more = 0, True
+    start, more, is_text = 0, True, isinstance(cast("object", path), str)  # Python's users may write anything
     while more and len(parts) <= DEEPEST_NESTING:
-        found = _PATH_PART.match(path, start)
+        found = _PATH_PART.match(path, start) if is_text else None
         name = found and (found["bare"] or unquoted(found["quoted"] or ""))
         if not found or name is None:
             allowed = _("is no path of a machine file: names with dots between, [0], [1], … for the items of a list")
             repair = _('write like bank.R.mechanism.rod_length or shaft.main.throws[2]; other names in quotes: "1.a"')
-            raise InputError([Problem("", path, allowed, repair)])
+            raise InputError([Problem("", path if is_text else repr(path), allowed, repair)])
         parts += [name, *(int(place) for place in re.findall("[0-9]+", found["indices"]))]
         start, more = found.end(), found["end"] == "."
     if len(parts) > DEEPEST_NESTING:
@@ -163,6 +163,14 @@ def replaced(data: object, parts: PathParts, value: object, *, above: PathParts 
             return (*items[:part], inner(items[part]), *items[part + 1 :])
     said = _no_way(cast("object", data), path_text(above))
     raise InputError([Problem(path_text((*above, *parts)), None, said)])
+
+
+def values_by_path(path: str, values: object, call: str) -> dict[str, object]:
+    """Take values by path; refuse what is none, with how they are written: the call, with `{}` for them."""
+    if not isinstance(values, Mapping):
+        repair = _("write {example}", example=call.format('{"mechanism.rod_length": "140 mm"}'))
+        raise InputError([Problem(path, str(values), _("must be a mapping of paths to values"), repair)])
+    return dict(cast("Mapping[str, object]", values))
 
 
 def with_values(data: object, values: Mapping[str, object]) -> tuple[Any, tuple[PathParts, ...]]:

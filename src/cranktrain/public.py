@@ -195,7 +195,7 @@ def sweep(
     return any_swept(
         machine,
         vary,
-        names_in(wanted),
+        names_in(wanted, "wanted"),
         set or {},
         over_time=over_time,
         processes=processes,

@@ -12,6 +12,7 @@ from typing import (
     get_args,
 )
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import ErrorDetails, core_schema
 
@@ -337,7 +338,9 @@ def _as_written(data: object) -> str | None:
 
 
 def with_tuples(data: object) -> Any:
-    """Turn lists into tuples, through and through."""
+    """Turn lists and arrays into tuples, numbers of NumPy's into Python's, through and through."""
+    if isinstance(data, np.ndarray | np.generic):
+        data = cast("object", data.tolist())
     if isinstance(data, list):
         return tuple(map(with_tuples, cast("list[object]", data)))
     if isinstance(data, dict):

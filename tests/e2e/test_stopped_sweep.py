@@ -15,6 +15,9 @@ def test_ctrl_c_keeps_what_was_computed(tmp_path, processes):
     assert status == 0
     assert b"written: " in said
     assert b"Traceback" not in said
+    assert (
+        b"of 90000 designs were computed; a store keeps them: with -o NAME.zarr the same command with --resume" in said
+    )
     lines = output.read_text(encoding="utf-8").splitlines()
     assert any("of 90000 designs: not computed" in line for line in lines if line.startswith("#"))
     torques = [row["largest_torque [N*m]"] for row in csv.DictReader(line for line in lines if line[0] != "#")]

@@ -16,7 +16,7 @@ from cranktrain.cli.sweep_cases import cases_of
 from cranktrain.errors import Position, Problem, problems_as, refuse
 from cranktrain.extras import lacking_for
 from cranktrain.io.machine_file import MachineFile, read_machine
-from cranktrain.io.output import write_machine_file
+from cranktrain.io.output import look_first, refuse_other_suffix, write_machine_file
 from cranktrain.io.title import title
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
@@ -25,11 +25,11 @@ from cranktrain.saying.amounts import Amount
 from cranktrain.saying.names import said_name
 from cranktrain.saying.sections import PagePart, section
 from cranktrain.study.sweep import Sweep, swept
+from cranktrain.study.sweep.kept import STORE
 
 if TYPE_CHECKING:
     from cranktrain.io.store_of_sweep import SweepStore
 
-STORE = ".zarr"
 _MOST_PROCESSES = 512
 
 
@@ -62,6 +62,11 @@ def show_sweep(request: SweepRequest) -> None:
     _check(request)
     is_stored = _is_stored(request)
     form = None if request.output is None or is_stored else form_or_picture(request.output, request.decimal, (STORE,))
+    if request.save is not None:
+        refuse_other_suffix(request.save)
+    for name in (None if is_stored else request.output, request.save):
+        if name is not None:
+            look_first(name, force=request.force)
     asked = units_asked_for(request.units)
     file = read_machine(request.file, request.settings)
     with in_units_of(file, asked):
@@ -69,6 +74,13 @@ def show_sweep(request: SweepRequest) -> None:
         found = _computed(request, file, store)
         if store is not None:
             _say_what_is_stored(store, found)
+        elif found.n_stopped:
+            said = _(
+                "{n} of {all} designs were computed; a store keeps them: with -o NAME{suffix} the same command with"
+                " --resume goes on after Ctrl-C"
+            )
+            n_all = len(found.designs)
+            print(said.format(n=n_all - found.n_stopped, all=n_all, suffix=STORE), file=sys.stderr)
         best = _best(request, found)
         if request.save is not None and best is not None:
             _save(request, file, found, best)

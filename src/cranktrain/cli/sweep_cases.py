@@ -7,17 +7,26 @@ from collections.abc import Sequence
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from cranktrain.errors import InputError, Position, Problem, refuse
 from cranktrain.io.curve_files import curve_text
 from cranktrain.language import N_
 from cranktrain.language import said as _
+from cranktrain.study.sweep.varied import names_of, whole_word
 
 _COMMA = re.compile(r"([+−-]?\d+),(\d+(?:[eE][+-]?\d+)?)(?![\d,.])(.*)", re.DOTALL)
 """A number whose decimals a comma divides, and what stands behind it."""
 _IN_BRACKETS, _IN_ROUND_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]"), re.compile(r"(.*?)\s*\(([^()]*)\)")
 """A head and its unit."""
+
+
+_WRITTEN, _VARIED = "# cranktrain: ", re.compile(r"# varied: (.*): [^:]*")
+"""Remarks above a list that a sweep has written, on what and how many values."""
+_PLAIN_UNIT = "1"
+
+Line: TypeAlias = tuple[Position, list[str]]
+"""Cells of a line, and where it stands."""
 
 
 class Head(NamedTuple):
@@ -50,7 +59,8 @@ def cases_of(name: str) -> Cases:
     name : str
         Of the file: a path at the head of each column, with the unit of plain numbers behind it in brackets. Columns
         are divided by semicolons or tabs, and then a comma may divide decimals as in curve files; or by commas. What
-        is empty stays as the machine file has it; a table or a list is written as TOML has it in one line.
+        is empty stays as the machine file has it; a table or a list is written as TOML has it in one line. Of a file
+        that a sweep has written what was varied is taken, and facts are left.
 
     Returns
     -------
@@ -72,9 +82,32 @@ def cases_of(name: str) -> Cases:
         allowed = _("has no design: needs paths at the heads of columns, and a line below for each design")
         repair = _("write like rod_length [mm],speed [rpm], and below 130,1500")
         raise InputError([Problem("", None, allowed, repair, Position(name))])
+    if (paths := _paths_written(text)) is not None:
+        lines = _as_typed(lines, paths)
     (at_head, head), *designs = lines
     heads = _heads(head, at_head)
     return Cases(tuple(_design(line, heads, separator, position) for position, line in designs), heads, at_head)
+
+
+def _paths_written(text: str) -> list[str] | None:
+    """Paths of what is varied in a file that a sweep has written; None of any other file."""
+    remarks = [line for line in text.splitlines() if line.startswith("#")]
+    found = [match[1] for match in map(_VARIED.fullmatch, remarks) if match is not None]
+    return found if found and remarks[0].startswith(_WRITTEN) else None
+
+
+def _as_typed(lines: Sequence[Line], paths: Sequence[str]) -> list[Line]:
+    """Columns of what is varied alone, with their paths at the head: as they are typed into a list of designs."""
+    (at_head, head), *designs = lines
+    first = 1 if head[0] == "case" else 0
+    own = head[first : first + len(paths)]
+    named = zip(own, names_of(paths), paths, strict=False)
+    if len(own) < len(paths) or not all(_headed(cell).path in (name, whole_word(path)) for cell, name, path in named):
+        allowed = _("has the facts of several designs side by side, as it was written of values that were combined")
+        raise InputError([Problem("", None, allowed, _("vary them again, with --vary"), Position(at_head.file))])
+    units = [cell.removeprefix(_headed(cell).path) for cell in own]
+    typed = [f"{path}{unit}" for path, unit in zip(paths, units, strict=True)]
+    return [(at_head, typed), *((position, line[first : first + len(paths)]) for position, line in designs)]
 
 
 def _heads(line: Sequence[str], position: Position) -> tuple[Head, ...]:
@@ -119,7 +152,8 @@ def _value(cell: str, head: Head, separator: str, position: Position) -> object:
         except (tomllib.TOMLDecodeError, RecursionError):
             allowed = _("must be a table or a list as TOML has it, in one line")
             raise InputError([Problem(head.path, cell, allowed, position=position)]) from None
-    return f"{_plain(cell, head.path, separator, position)} {head.unit}".strip()
+    plain = _plain(cell, head.path, separator, position)
+    return plain.removesuffix(".0") if head.unit == _PLAIN_UNIT else f"{plain} {head.unit}".strip()
 
 
 def _separator(text: str) -> str:
@@ -143,6 +177,7 @@ def _plain(cell: str, path: str, separator: str, position: Position) -> str:
 
 
 def _headed(cell: str) -> Head:
-    """Path and unit of a column; a number in brackets is the item of a list."""
+    """Path and unit of a column; a number in brackets is the item of a list, but for the unit [1] behind a blank."""
     found = _IN_BRACKETS.fullmatch(cell)
-    return Head(cell, "") if found is None or found[2].isdecimal() else Head(found[1], found[2].strip())
+    is_item = found is not None and found[2].isdecimal() and not cell.endswith(f" [{_PLAIN_UNIT}]")
+    return Head(cell, "") if found is None or is_item else Head(found[1], found[2].strip())

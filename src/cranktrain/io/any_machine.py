@@ -14,7 +14,7 @@ from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.layout.load_tables import in_place_of_lists
 from cranktrain.machine import Machine
-from cranktrain.paths import parts_of, with_values
+from cranktrain.paths import parts_of, values_by_path, with_values
 from cranktrain.record import record
 from cranktrain.typed_file import TypedFile
 
@@ -106,11 +106,7 @@ def source_of(
 
 def values_of(values: Mapping[str, object] | None) -> Mapping[str, object]:
     """Take what is to be set; refuse what is no mapping."""
-    if values is None or isinstance(cast("object", values), Mapping):
-        return values or {}
-    allowed = _("must be a mapping of paths to values")
-    repair = _("write set={example}", example='{"mechanism.rod_length": "140 mm"}')
-    raise InputError([Problem("set", str(values), allowed, repair)])
+    return {} if values is None else values_by_path("set", values, "set={}")
 
 
 def sources_of(
@@ -184,15 +180,15 @@ def name_of(given: "MachineLike | Result") -> str:
     return getattr(given, "name", "") or str(given)
 
 
-def names_in(given: object) -> tuple[str, ...] | None:
-    """Names of results that are asked for; None for all."""
+def names_in(given: object, path: str = "quantities") -> tuple[str, ...] | None:
+    """Names of results that are asked for at a parameter; None for all."""
     if given is None:
         return None
     is_one = isinstance(given, str) or not hasattr(given, "__iter__")
     each = (given,) if is_one else tuple(cast("Iterable[object]", given))
     allowed = _("must be names of results; result.catalogue has them")
-    refuse([] if each else [Problem("quantities", "[]", allowed)])
-    return texts_in("quantities", each, allowed)
+    refuse([] if each else [Problem(path, "[]", allowed)])
+    return texts_in(path, each, allowed)
 
 
 def texts_in(path: str, given: Sequence[object], allowed: Words) -> tuple[str, ...]:

@@ -5,8 +5,8 @@ import os
 import secrets
 import stat
 import sys
-from collections.abc import Iterable
-from contextlib import suppress
+from collections.abc import Generator, Iterable
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from cranktrain.errors import InputError, Problem
@@ -34,12 +34,17 @@ _FAILURES = {
 
 def write_machine_file(path: str, text: str, *, force: bool) -> None:
     """Write a machine file as `write_whole` does; refuse a name by which it would be taken for something else."""
+    refuse_other_suffix(path)
+    write_whole(path, text, force=force)
+
+
+def refuse_other_suffix(path: str) -> None:
+    """Refuse a name by which a machine file would be taken for something else."""
     stem, suffix = os.path.splitext(path)  # noqa: PTH122 - takes a NUL byte
     if suffix and suffix.lower() != _MACHINE_FILE and path not in STANDARD_OUTPUT:
         allowed = _("must end in {suffix}: it is a machine file", suffix=_MACHINE_FILE)
         repair = _('write "{text}"', text=one_line(stem + _MACHINE_FILE))
         raise InputError([Problem("-o", one_line(path), allowed, repair)])
-    write_whole(path, text, force=force)
 
 
 def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str | bytes], *, force: bool) -> None:
@@ -74,25 +79,61 @@ def write_whole(path: "str | os.PathLike[str]", chunks: str | Iterable[str | byt
     sys.stdout.flush()
 
 
+def look_first(path: "str | os.PathLike[str]", *, force: bool) -> None:
+    """Refuse a file that `write_whole` would refuse, before anything is computed for it; parameters as of that."""
+    name = os.fspath(path)
+    if name not in STANDARD_OUTPUT:
+        with _refusing(name):
+            _target(name, force=force)
+
+
+def look_into_folder(path: Path, name: str) -> None:
+    """Refuse what cannot be made in its folder: that is not there, or may not be written; `name` as it is shown."""
+    with _refusing(name):
+        _stand(path.parent)
+
+
 def _write_file(name: str, pieces: Iterable[bytes], *, force: bool) -> None:
     """Write what is not the standard output."""
-    try:
-        old = None
-        with suppress(FileNotFoundError):
-            old = Path(name).stat()
-        if old is not None and not stat.S_ISREG(old.st_mode) and not stat.S_ISDIR(old.st_mode):
+    with _refusing(name):
+        target, old = _target(name, force=force)
+        if target is None:
             with Path(name).open("wb") as file:
                 file.writelines(pieces)
-            return
-        target = Path(os.path.realpath(name))
-        _check(name, target, old, force=force)
-        _write(target, pieces, None if old is None else stat.S_IMODE(old.st_mode))
+        else:
+            _write(target, pieces, None if old is None else stat.S_IMODE(old.st_mode))
+
+
+@contextmanager
+def _refusing(name: str) -> Generator[None]:
+    """Say why a file cannot be written."""
+    try:
+        yield
     except FileExistsError:
         raise _already_there(name) from None
     except BrokenPipeError:  # its reader has had enough: no fault of the input
         raise
     except OSError as error:
         raise not_written(name, error) from None
+
+
+def _target(name: str, *, force: bool) -> tuple[Path | None, os.stat_result | None]:
+    """Which file is to be written, None of a device or pipe, and what is there; refuse what would fail."""
+    old = None
+    with suppress(FileNotFoundError):
+        old = Path(name).stat()
+    if old is not None and not stat.S_ISREG(old.st_mode) and not stat.S_ISDIR(old.st_mode):
+        return None, old
+    target = Path(os.path.realpath(name))
+    _check(name, target, old, force=force)
+    return target, old
+
+
+def _stand(folder: Path) -> None:
+    """Raise what making a file in a folder would."""
+    folder.stat()
+    if not os.access(folder, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
 
 def not_written(name: str, error: OSError) -> InputError:
@@ -106,7 +147,7 @@ def _check(name: str, target: Path, old: os.stat_result | None, *, force: bool) 
     if (old is not None and stat.S_ISDIR(old.st_mode)) or name.endswith(("/", os.sep)):
         raise refusal(name, _("is a folder"), _("name a file in it"))
     if old is None:
-        target.parent.stat()
+        _stand(target.parent)
     elif not force:
         raise _already_there(name)
     elif not old.st_mode & 0o222 or not os.access(target, os.W_OK):

@@ -20,7 +20,7 @@ from cranktrain.analysis.dataset import attributes_of, coordinate_of
 from cranktrain.errors import InputError, Problem
 from cranktrain.extras import imported
 from cranktrain.io.files import refusal
-from cranktrain.io.output import not_written
+from cranktrain.io.output import look_into_folder, not_written
 from cranktrain.io.store_identity import differences, identity
 from cranktrain.io.stored_facts import StoredFacts, TextsOfDesigns
 from cranktrain.language import said as _
@@ -33,7 +33,6 @@ from cranktrain.study.sweep.facts import FactsOfRows, joined_rows
 from cranktrain.study.sweep.kept import Plan
 from cranktrain.version import VERSION
 
-SUFFIX = ".zarr"
 _ABOUT = "cranktrain_sweep"
 """Attribute of a store with what it is of, as JSON."""
 
@@ -95,6 +94,7 @@ class SweepStore:
         """Open what is there, if it is this sweep; None where it is to begin."""
         self._sweep = Sweep(plan.machine, plan.designs, FactsOfRows({}, {}, {}, (), (), (), ()))
         if not os.path.lexists(self._path):
+            look_into_folder(self._path, self.name)
             return None
         about = _about(self._path, self.name)
         if not self._resume:

@@ -6,7 +6,7 @@ import tomllib
 import openpyxl
 import pytest
 from PIL import Image
-from tests.sentences import ENDS_IN, NO_FILE, WHOLE_NUMBER
+from tests.sentences import ENDS_IN, FOLDER_NOT_THERE, NO_FILE, WHOLE_NUMBER
 
 SMALL = (
     "# a pump\n"
@@ -182,6 +182,66 @@ def test_mistakes(typed, pump, tmp_path, arguments, said):
     assert said in answer.errors
     assert answer.output == ""
     assert [path.name for path in tmp_path.iterdir()] == [pump]
+
+
+@pytest.mark.parametrize(
+    "options", [["-o", "no/a.csv"], ["-o", "no/a.png"], ["-o", "no/a.zarr"], ["--save", "no/a.toml"]]
+)
+def test_what_cannot_be_written_is_refused_before_it_is_computed(typed, pump, tmp_path, options):
+    """None of these rods can be, which is found when they are computed."""
+    answer = typed("sweep", pump, "--vary", "rod_length=1..2 mm:3", "--least", "stroke", *options)
+    assert (answer.status, answer.output) == (2, "")
+    assert answer.errors == f"{options[-1]}  {FOLDER_NOT_THERE}; make it first, or name another\n"
+    assert [path.name for path in tmp_path.iterdir()] == [pump]
+
+
+def test_a_file_that_is_there_is_refused_before_it_is_computed(typed, pump, written):
+    written("", "a.csv")
+    answer = typed("sweep", pump, "--vary", "rod_length=1..2 mm:3", "-o", "a.csv")
+    assert answer.errors.startswith("a.csv  is there already")
+    answer = typed("sweep", pump, "--vary", "rod_length=1..2 mm:3", "--least", "stroke", "--save", "a.txt")
+    assert "must end in .toml: it is a machine file" in answer.errors
+
+
+@pytest.mark.parametrize(
+    "vary",
+    [
+        ["--vary", "rod_length=30..150 mm:5"],
+        ["--vary", "rod_length=30..150 mm:5", "--decimal", "comma"],
+        ["--vary", "stroke=70,5; 80,5 mm"],
+        ["--vary", "rotation=clockwise, anticlockwise", "--vary", "name=A, B"],
+        ["--cases", "cases.csv"],
+    ],
+    ids=" ".join,
+)
+def test_a_file_of_a_sweep_may_be_its_list(typed, pump, written, tmp_path, vary):
+    """The same designs have the same facts, one by one."""
+    written("name;rod_length [mm];cylinder.compression_ratio\nA;140,5;9\nB;150;10\n", "cases.csv")
+    wanted = ("--wanted", "stroke,mean_piston_speed")
+    assert typed("sweep", pump, *vary, *wanted, "-o", "one.csv").status == 0
+    assert typed("sweep", pump, "--cases", "one.csv", *wanted, "-o", "other.csv").errors == ""
+    text = (tmp_path / "one.csv").read_text(encoding="utf-8-sig")
+    (tmp_path / "one.csv").write_text(text.replace(",", ".").replace(";", ",") if "--decimal" in vary else text)
+    one, other = (_rows(tmp_path / name) for name in ("one.csv", "other.csv"))
+    assert [each["mean_piston_speed(1) [m/s]"] for each in other] == [
+        each["mean_piston_speed(1) [m/s]"] for each in one
+    ]
+
+
+def test_designs_side_by_side_are_no_list(typed, pump):
+    assert typed("sweep", pump, *RODS, "--vary", "speed=1000, 2000 rpm", "-o", "one.csv").status == 0
+    answer = typed("sweep", pump, "--cases", "one.csv")
+    assert answer.errors == (
+        "one.csv  has the facts of several designs side by side, as it was written of values that were combined;"
+        " vary them again, with --vary\n"
+    )
+
+
+def test_plain_numbers_of_a_list_have_their_unit(typed, pump, written, tmp_path):
+    written("rod_length [mm],cylinder.compression_ratio [1]\n120,9\n130,10.5\n", "cases.csv")
+    assert typed("sweep", pump, "--cases", "cases.csv", "--wanted", "stroke", "-o", "out.csv").errors == ""
+    rows = _rows(tmp_path / "out.csv")
+    assert [float(row["compression_ratio [1]"]) for row in rows] == [9, 10.5]
 
 
 def test_what_takes_long_has_to_be_meant(typed, pump, monkeypatch):

@@ -5,7 +5,8 @@ import pytest
 from tests.machines import slider
 
 import cranktrain as ct
-from cranktrain.study.sweep.typed import values_typed
+from cranktrain.study.sweep import varied
+from cranktrain.study.sweep.typed import n_values_typed, values_typed
 from cranktrain.study.sweep.varied import combined_designs, names_of, path_meant
 
 MACHINE = ct.Machine(mechanism=slider(), shaft={"main": {"speed": "1500 rpm"}})
@@ -28,6 +29,14 @@ MACHINE = ct.Machine(mechanism=slider(), shaft={"main": {"speed": "1500 rpm"}})
         ('["0 deg", "90 deg"]', ("0 deg", "90 deg")),
         ('[["0 deg", "90 deg"], ["0 deg", "180 deg"]]', (["0 deg", "90 deg"], ["0 deg", "180 deg"])),
         ("80, 100..120 mm:3", ("80 mm", "100 mm", "110 mm", "120 mm")),
+        ("110,5; 120,25 mm", ("110.5 mm", "120.25 mm")),
+        ("-0,3..-0,1 mm:3; 2,5 mm", ("-0.3 mm", "-0.2 mm", "-0.1 mm", "2.5 mm")),
+        ("cage; shunt", ("cage", "shunt")),
+        ("10,20,30 mm", ("10 mm", "20 mm", "30 mm")),  # three of them are no pairs
+        ("110.5,120 mm", ("110.5 mm", "120 mm")),
+        ("1/2,3/4 in", ("1/2 in", "3/4 in")),
+        ("1-3,4-2", ("1-3", "4-2")),
+        ("-0.3..0.3 mm:7", ("-0.3 mm", "-0.2 mm", "-0.1 mm", "0 mm", "0.1 mm", "0.2 mm", "0.3 mm")),
     ],
 )
 def test_values(text, values):
@@ -40,6 +49,63 @@ def test_a_range_is_even_to_the_last_bit():
 
     exact = [float(Fraction(1, 10) + Fraction(1, 5) * k / 7) for k in range(8)]
     assert values_typed("path", "0.1..0.3:8") == tuple(exact)
+
+
+@pytest.mark.parametrize(
+    ("text", "point", "several"),
+    [
+        ("110,5 mm", "110.5 mm", "110, 5 mm"),
+        ("110,5, 120,5 mm", "110.5, 120.5 mm", "110, 5, 120, 5 mm"),
+        ("110,5,120,5 mm", "110.5, 120.5 mm", "110, 5, 120, 5 mm"),
+        ("110,5..120,5 mm:3", "110.5..120.5 mm:3", "110, 5..120, 5 mm:3"),
+        ("-0,5", "-0.5", "-0, 5"),
+    ],
+)
+def test_a_comma_between_digits_is_refused(text, point, several):
+    with pytest.raises(ct.InputError) as caught:
+        values_typed("path", text)
+    assert str(caught.value) == (
+        f"path = {text}: has a comma between digits, which may divide decimals or values;"
+        f' write "{point}", or "{several}" for several values'
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "n_values"),
+    [
+        ("1, 2 mm", 2),
+        ("1;2;3", 3),
+        ("1..2:5, 7", 6),
+        ("1..2", 21),
+        ("0..1:1000000", 1000000),
+        (f"0..1:{10**18}", 1),
+        ("[1, 2]", 1),
+        ("", 1),
+    ],
+)
+def test_values_are_counted_unread(text, n_values):
+    assert n_values_typed(text) == n_values
+
+
+def test_more_designs_than_there_may_be_are_refused_unmade(monkeypatch):
+    """Ranges of a million values each: none of them is made for it."""
+    monkeypatch.setattr(varied, "values_typed", None)
+    vary = {"rod_length": "130..140 mm:1000000", "speed": "1..2 rpm:1000000", "offset": np.zeros(3)}
+    with pytest.raises(ct.InputError, match=r"vary: is 3000000000000 designs, and may be 10000000; ask for fewer"):
+        ct.sweep(MACHINE, vary, "stroke")
+
+
+@pytest.mark.parametrize("steps", [np.arange(-0.3, 0.35, 0.1), np.arange(-3, 4) * 0.1 + 1e-17, [0.3, 0.15, 1e-17]])
+def test_even_steps_have_no_residue_of_rounding(steps):
+    (one,) = combined_designs(MACHINE, {"shaft.main.unit": steps}).varied
+    assert [value for value in one.values if abs(value) < 1e-3] == [0.0]
+    np.testing.assert_allclose(one.values, steps, atol=1e-15)
+
+
+@pytest.mark.parametrize("numbers", [[1e-17, 1.0, 3.0], [1e-17, 1.0], [1e-17, 2e-17, 3e-17]])
+def test_small_numbers_that_are_meant_stay(numbers):
+    (one,) = combined_designs(MACHINE, {"shaft.main.unit": numbers}).varied
+    assert list(one.values) == numbers
 
 
 def test_a_range_without_a_count_has_21_values():

@@ -40,6 +40,9 @@ class Cluster(AbstractContextManager["Cluster"]):
 
     def __init__(self, compute: Compute, scheduler: object) -> None:
         self._distributed = imported("distributed", "scheduler", _("ask for processes"))
+        if not isinstance(scheduler, str | self._distributed.Client):
+            allowed = _("must be the address of a scheduler, or a client of Dask's that knows one")
+            raise InputError([Problem("scheduler", repr(scheduler), allowed)])
         self._compute = compute
         self._is_own = isinstance(scheduler, str)
         self._address = str(scheduler) if self._is_own else "scheduler"

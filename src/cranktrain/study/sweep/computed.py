@@ -3,6 +3,7 @@
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from math import prod
 from time import perf_counter
 from typing import NamedTuple
 
@@ -18,7 +19,14 @@ from cranktrain.study.sweep.crew import Alone, Compute, Crew, Span, in_order, ki
 from cranktrain.study.sweep.facts import FactsOfRows, FactsOfSweep, joined_rows, rows_of
 from cranktrain.study.sweep.kept import InMemory, Plan, Store
 from cranktrain.study.sweep.sweep import Sweep
-from cranktrain.study.sweep.varied import SweptDesigns, combined_designs, listed_designs, names_apart, path_meant
+from cranktrain.study.sweep.varied import (
+    SweptDesigns,
+    combined_designs,
+    listed_designs,
+    n_values,
+    names_apart,
+    path_meant,
+)
 from cranktrain.study.sweep.wanted import facts_wanted
 
 _TRIED, _GROWTH = 4, 8
@@ -83,15 +91,21 @@ def swept(
     InputError
         With everything that is wrong with what is asked; a design that cannot be is none of it, unless all are such.
     """
+    if store is None and isinstance(vary, Mapping):
+        _refuse_many(prod(map(n_values, vary.values())))  # before millions of values are made
     designs, names = _asked(machine, vary, partial(facts_wanted, machine, wanted, over_time=over_time), settings)
-    n_designs = len(designs)
-    if store is None and n_designs > _MOST:
-        allowed = _("is {n} designs, and may be {most}", n=n_designs, most=_MOST)
-        raise InputError(
-            [Problem("vary", None, allowed, _("ask for fewer values, or keep them in a store: -o NAME.zarr"))]
-        )
+    if store is None:
+        _refuse_many(len(designs))
     plan = Plan(machine, names_apart(designs, names), names, over_time)
     return _kept(plan, store or InMemory(), processes, scheduler, is_meant=is_meant)
+
+
+def _refuse_many(n_designs: int) -> None:
+    """Refuse more designs than memory has room for."""
+    if n_designs > _MOST:
+        allowed = _("is {n} designs, and may be {most}", n=n_designs, most=_MOST)
+        repair = _("ask for fewer values, or keep them in a store: -o NAME.zarr")
+        raise InputError([Problem("vary", None, allowed, repair)])
 
 
 def _kept(plan: Plan, store: Store, processes: int, scheduler: object, *, is_meant: bool) -> Sweep:
@@ -133,9 +147,6 @@ def _asked(
 ) -> tuple[SweptDesigns, tuple[str, ...]]:
     """Which designs, and which facts; all that is wrong with either is told."""
     try:
-        if isinstance(vary, str):
-            allowed = _("must be values by path, or a sequence of such")
-            raise InputError([Problem("vary", vary, allowed, _('write like {"rod_length": "130..160 mm:31"}'))])
         designs = combined_designs(machine, vary) if isinstance(vary, Mapping) else listed_designs(machine, vary)
         refuse(_without_effect(machine, designs, settings))
     except InputError as error:

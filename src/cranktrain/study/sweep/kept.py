@@ -10,6 +10,9 @@ from cranktrain.study.sweep.crew import without_facts
 from cranktrain.study.sweep.facts import FactsOfRows, joined_rows
 from cranktrain.study.sweep.varied import SweptDesigns
 
+STORE = ".zarr"
+"""How the name of a store ends."""
+
 
 class Plan(NamedTuple):
     """What a sweep is of: facts `wanted` of `designs` of a `machine`, over the cycle or of their starts."""

@@ -27,6 +27,7 @@ from cranktrain.saying.names import said_name
 from cranktrain.saying.run import Axis, BehindQuantity, Marks, RowHeads, Run
 from cranktrain.saying.sections import PagePart, section
 from cranktrain.study.sweep.facts import FactsOfRows
+from cranktrain.study.sweep.kept import stopped
 from cranktrain.study.sweep.shown import FactsAlong, shown_facts
 from cranktrain.study.sweep.varied import SweptDesigns, Varied
 
@@ -174,7 +175,7 @@ class Sweep(Run):
         else:
             places = [index for _one, index in self.designs.block(0, n_designs)]
         for one, index in zip(self.designs.varied, places, strict=True):
-            head = f"{one.name} [{one.unit}]" if one.numbers is not None and one.unit else one.name
+            head = one.name if one.numbers is None else f"{one.name} [{one.unit or '1'}]"
             columns[head] = np.array(one.texts if one.numbers is None else one.numbers, dtype=object)[index]
         if self.refused:
             said = ["" if problem is None else str(replace(problem, repair=None)) for problem in self.found.refused]
@@ -201,8 +202,16 @@ class Sweep(Run):
         """
         return self.machine.with_(self.values_at(self.place_of_best(least=least, most=most)))
 
+    @property
+    def n_stopped(self) -> int:
+        """How many designs were not computed, as the sweep was stopped; these are the last."""
+        last = Problem("", None, stopped())
+        return sum(1 for _problem in itertools.takewhile(lambda one: one == last, reversed(self.found.refused)))
+
     def values_at(self, place: int) -> Mapping[str, object]:
         """Values of a design by path, by its place among all."""
+        if not 0 <= place < len(self.designs):
+            raise InputError([Problem("place", str(place), _("must be from 0 to {last}", last=len(self.designs) - 1))])
         return self.designs.row(place)
 
     def place_of_best(self, *, least: str = "", most: str = "") -> int:

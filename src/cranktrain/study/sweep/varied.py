@@ -1,6 +1,7 @@
 """What a sweep varies: values at paths of the machine file, and which of them are numbers."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
@@ -22,8 +23,10 @@ from cranktrain.quantities import Quantity, nearest
 from cranktrain.quantities.conversion import in_other_unit
 from cranktrain.record import record
 from cranktrain.study.sweep.numbers import ReadValues, read_values, unit_written
-from cranktrain.study.sweep.typed import quantity_typed, values_typed
+from cranktrain.study.sweep.typed import n_values_typed, quantity_typed, values_typed
 
+_EVEN, _ROUNDING = 3, 1e-12
+"""Values from which on steps can be even, and how far they are then; a value below such a part of a step is 0."""
 _NAMED = 6
 """Paths that a sentence names."""
 
@@ -166,7 +169,7 @@ def _shown(value: object) -> str:
 
 def listed_designs(machine: Machine, cases: Sequence[Mapping[str, object]]) -> SweptDesigns:
     """Take designs one by one: values by path, as of `varied_by`; what one does not name stays as the file has it."""
-    refuse([] if cases else [Problem("cases", None, _("has no design"))])
+    refuse(_no_cases(cases))
     given = list(dict.fromkeys(name for case in cases for name in case))
     problems: list[Problem] = []
     paths: list[str] = []
@@ -175,10 +178,30 @@ def listed_designs(machine: Machine, cases: Sequence[Mapping[str, object]]) -> S
             paths.append(path_meant(machine, name))
         except InputError as error:
             problems += error.problems
-    refuse(problems)
+    refuse(problems or [Problem(path, None, _("is varied twice")) for path in _repeated(paths)])
     columns = [tuple(_as_given(case.get(name)) for case in cases) for name in given]
     each = zip(paths, names_of(paths), columns, strict=True)
     return SweptDesigns(tuple(varied(path, name, values) for path, name, values in each), is_listed=True)
+
+
+def _no_cases(cases: object) -> Iterator[Problem]:
+    """Find what is no sequence of designs, each a mapping."""
+    if isinstance(cases, str) or not isinstance(cases, Sequence):
+        allowed = _("must be values by path, or a sequence of such")
+        yield Problem("vary", short(str(cases)), allowed, _('write like {"rod_length": "130..160 mm:31"}'))
+        return
+    each = cast("Sequence[object]", cases)
+    if not any(each):
+        yield Problem("cases", None, _("has no design"))
+    wrong = next(((place, case) for place, case in enumerate(each) if not isinstance(case, Mapping)), None)
+    if wrong is not None:
+        repair = _('write like {"rod_length": "130 mm"}')
+        yield Problem(f"vary[{wrong[0]}]", short(str(wrong[1])), _("must be values by path"), repair)
+
+
+def _repeated(paths: Sequence[str]) -> list[str]:
+    """Paths that stand more than once."""
+    return [path for path in dict.fromkeys(paths) if paths.count(path) > 1]
 
 
 def combined_designs(machine: Machine, vary: Mapping[str, object]) -> SweptDesigns:
@@ -225,6 +248,13 @@ def combined_designs(machine: Machine, vary: Mapping[str, object]) -> SweptDesig
     return SweptDesigns(tuple(replace(one, name=name) for one, name in zip(found, names, strict=True)))
 
 
+def n_values(values: object) -> int:
+    """How many values are to be varied, which are not made for it; of what does not say how many there are, 1."""
+    if isinstance(values, str):
+        return n_values_typed(values)
+    return len(values) if _are_several(values) and isinstance(values, Sized) else 1
+
+
 def varied(path: str, name: str, values: tuple[object, ...]) -> Varied:
     """Say what values are: numbers in the unit of the first, as far as the others can be said in it, or words."""
     each = [_measured(value) for value in values]
@@ -247,21 +277,21 @@ def _in_unit(number: Fraction | float, unit: str, other: str) -> float | None:
 
 def names_of(paths: Sequence[str]) -> list[str]:
     """Short names of paths: their last words, as far as these differ."""
-    last = [_word(path_text(quantity_path(path)[-1:])) for path in paths]
+    last = [whole_word(path_text(quantity_path(path)[-1:])) for path in paths]
     return [
-        name if last.count(name) == 1 else _word(path_text(quantity_path(path)))
+        name if last.count(name) == 1 else whole_word(path_text(quantity_path(path)))
         for path, name in zip(paths, last, strict=True)
     ]
 
 
 def names_apart(designs: SweptDesigns, facts: Sequence[str]) -> SweptDesigns:
     """Call what is varied by its whole path where a fact has its name, as the stroke."""
-    each = (replace(one, name=_word(one.path)) if one.name in facts else one for one in designs.varied)
+    each = (replace(one, name=whole_word(one.path)) if one.name in facts else one for one in designs.varied)
     return replace(designs, varied=tuple(each))
 
 
-def _word(path: str) -> str:
-    """A path as one word."""
+def whole_word(path: str) -> str:
+    """Give a path as one word, as a dimension is called whose last name alone would not do."""
     return "".join(letter if letter.isalnum() else "_" for letter in path).strip("_").replace("__", "_")
 
 
@@ -305,12 +335,27 @@ def _each(path: str, values: object) -> tuple[object, ...]:
         raise InputError([Problem(path, short(str(values)), allowed)])
     found = tuple(_as_given(value) for value in values)
     refuse([] if found else [Problem(path, None, _("must have at least one value"))])
-    return found
+    refuse(Problem(path, "None", _("is no value")) for value in found if value is None)
+    return _without_residue(found)
+
+
+def _without_residue(values: tuple[object, ...]) -> tuple[object, ...]:
+    """Say 0 where even steps come to nothing but rounding, as −0.3, −0.2 … 0.3 of NumPy's do."""
+    if len(values) < _EVEN or not all(isinstance(value, float) for value in values):
+        return values
+    numbers = np.array(values, dtype=float)
+    steps = np.diff(numbers)
+    step = float(np.abs(steps[0]))
+    with np.errstate(invalid="ignore"):
+        if not step > 0 or not np.all(np.abs(steps - steps[0]) <= _ROUNDING * np.max(np.abs(numbers))):
+            return values
+    return tuple(0.0 if abs(number) <= _ROUNDING * step else number for number in numbers.tolist())
 
 
 def _are_several(values: object) -> TypeGuard[Iterable[object]]:
-    """Whether there are values one by one."""
-    return isinstance(values, Iterable) and not isinstance(values, Mapping)
+    """Whether there are values one by one; an array of NumPy's without axes is one."""
+    is_one = isinstance(values, Mapping | bytes) or (isinstance(values, np.ndarray) and values.ndim == 0)
+    return isinstance(values, Iterable) and not is_one
 
 
 def _as_given(value: object) -> object:
@@ -327,7 +372,8 @@ def _twice(one: Varied) -> list[object]:
 def _measured(value: object) -> tuple[Fraction | float, str] | None:
     """A number with its unit; None of what is none."""
     if isinstance(value, int | float) and not isinstance(value, bool):
-        return float(value), ""
+        with suppress(OverflowError):  # of a whole number beyond all doubles
+            return float(value), ""
     if not isinstance(value, str):
         return None
     found = quantity_typed(value)

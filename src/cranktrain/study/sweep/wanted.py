@@ -36,6 +36,8 @@ def facts_wanted(machine: Machine, wanted: Sequence[str] | None, *, over_time: b
         elif entry is None:
             meant = nearest(name, [fact for fact, held in result.catalogue.items() if not result.is_curve(held)])
             repair = _("did you mean {name}?", name=meant) if meant else _("`cranktrain list results` names all")
+            if "," in name:
+                repair = _("write them one by one: {names}", names=[part.strip() for part in name.split(",")])
             problems.append(
                 Problem(
                     "wanted",
