@@ -8,8 +8,8 @@ import numpy as np
 from tests.machines import slider
 
 import cranktrain as ct
+from cranktrain.study.facts_of_rows import FactsOfRows
 from cranktrain.study.sweep import Sweep
-from cranktrain.study.sweep.facts import FactsOfRows
 
 ROOT = Path(__file__).parents[1]
 MACHINE = ct.Machine(mechanism=slider(crank_radius="40 mm", rod_length="136 mm"), shaft={"main": {"speed": "1500 rpm"}})

@@ -5,12 +5,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, cast
 
 from cranktrain.all_questions import QUESTIONS
-from cranktrain.columns import in_columns
+from cranktrain.columns import in_columns, row_of
 from cranktrain.errors import Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.design import Design
 from cranktrain.layout.parts import laid_out, layout_parts
 from cranktrain.layout.question import Parts
+from cranktrain.layout.specs import MAIN
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
@@ -60,6 +61,18 @@ class _Laying(NamedTuple):
         for question in map(QUESTIONS.named, self.asks):
             parts |= {type(part): part for part in question.parts(laid, parts) if part is not None}
         return parts
+
+
+def designs_of(together: Machine, n_designs: int) -> list[Design]:
+    """Designs that stand together, each by itself; one for all where all that is taken of them stands in columns.
+
+    Of each are taken files of loads, the speed of the shaft by a table or a wanted motion, pulls on a crankshaft.
+    """
+    main, shaft = together.design.shafts[MAIN], together.crankshaft
+    has_files = any(load.file is not None for named in together.design.loads.values() for load in named.values())
+    if has_files or main.speed_curve or main.motion or (shaft is not None and shaft.pulls):
+        return [row_of(together, place).design for place in range(n_designs)]
+    return [row_of(together, 0).design] * n_designs
 
 
 def refuse_wrong(machines: Sequence[Machine], *, partial: bool = False) -> None:

@@ -27,9 +27,9 @@ from cranktrain.language import said as _
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line
 from cranktrain.saying.catalogue import Entry
+from cranktrain.study.facts_of_rows import FactsOfRows, joined_rows
 from cranktrain.study.sweep import Sweep
 from cranktrain.study.sweep.blocks import Blocks
-from cranktrain.study.sweep.facts import FactsOfRows, joined_rows
 from cranktrain.study.sweep.kept import Plan
 from cranktrain.version import VERSION
 

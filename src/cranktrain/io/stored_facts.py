@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from cranktrain.errors import Problem
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import Entry
+from cranktrain.study.facts_of_rows import FactsOfRows
 from cranktrain.study.sweep import Sweep
-from cranktrain.study.sweep.facts import FactsOfRows
 from cranktrain.study.sweep.kept import stopped
 
 Item = TypeVar("Item")

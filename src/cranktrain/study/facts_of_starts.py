@@ -1,16 +1,17 @@
 """Facts of starts of many designs: made ready together, run one by one or compiled, and nothing else of them kept."""
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from multiprocessing import parent_process
 from time import perf_counter
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from cranktrain.analysis.blocks import MOST_AT_ONCE
+from cranktrain.columns import some_rows
 from cranktrain.errors import InputError, Problem
 from cranktrain.extras import is_there
 from cranktrain.how_far import say_how_far
@@ -20,10 +21,13 @@ from cranktrain.linkage.kept import is_kept
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.questions.start.asked import StartAsked
-from cranktrain.questions.start.record import ReadyStarts, StartEvents, StartRun
-from cranktrain.record import record
-from cranktrain.saying.catalogue import Entry, entries
-from cranktrain.study.start import over_time_of_designs
+from cranktrain.questions.start.facts import StartFacts
+from cranktrain.questions.start.many import FACTS_OF_ENERGY, facts_of_ran
+from cranktrain.questions.start.record import RanStart, ReadyStarts, StartEvents, StartRun, events_in_time
+from cranktrain.questions.start.starting import events_of, reason_of
+from cranktrain.saying.catalogue import entries
+from cranktrain.study.facts_of_rows import FactsOfRows, Gathered
+from cranktrain.study.start import over_time_of_columns, over_time_of_designs
 from cranktrain.transient.equation import Kernels, joined
 from cranktrain.transient.runs import loop_of
 
@@ -33,34 +37,13 @@ _compiled = set[Kernels]()
 """What this process has compiled."""
 
 
-@record
-class FactsOfStarts:
-    """Facts of some designs.
-
-    Attributes
-    ----------
-    entries : mapping of str to Entry
-        Of those that any design has, by name.
-    labels : mapping of str to tuple of str
-        Members along their dimensions.
-    values : mapping of str to Array, shape (design, …)
-        NaN where a design has none.
-    reasons : tuple of Words
-        Why each ended; empty of one that was not computed.
-    refused : mapping of int to Problem
-        What is wrong with a design that was not computed, the first of it, by its place.
-    """
-
-    entries: Mapping[str, Entry]
-    labels: Mapping[str, tuple[str, ...]]
-    values: Mapping[str, Array]
-    reasons: tuple[Words, ...]
-    refused: Mapping[int, Problem]
-
-
 def facts_of_starts(
-    machines: Sequence[Machine], wanted: Sequence[str] | None = None, *, n_all: int | None = None
-) -> FactsOfStarts:
+    machines: Sequence[Machine],
+    wanted: Sequence[str] | None = None,
+    *,
+    n_all: int | None = None,
+    columns: Machine | None = None,
+) -> FactsOfRows:
     """Compute facts of starts; of each run nothing else is kept.
 
     Parameters
@@ -71,14 +54,36 @@ def facts_of_starts(
         Names of facts, or of what is known of events; all unless given. What is not a fact of these starts is left out.
     n_all : int, optional
         How many designs there are, of which these are some: where that is worth its time, runs are compiled.
+    columns : Machine, optional
+        The designs together, where somebody has put them so.
     """
-    gathered = _Gathered(len(machines))
+    gathered = Gathered(len(machines))
     n_left = len(machines) if n_all is None else n_all
     for first in range(0, len(machines), MOST_AT_ONCE):
         say_how_far(partial(_how_far, first, len(machines)))
-        block = machines[first : first + MOST_AT_ONCE]
-        _add_block(gathered, block, first, wanted, max(n_left - first, len(block)))
+        block = slice(first, min(first + MOST_AT_ONCE, len(machines)))
+        own = None if columns is None else some_rows(columns, block)
+        places = range(block.start, block.stop)
+        _add_block(gathered, _Block(places, machines, own), wanted, max(n_left - first, len(places)))
     return gathered.found()
+
+
+class _Block(NamedTuple):
+    """Designs that are made ready together: which of all, each by itself, and in columns where these are known."""
+
+    places: range
+    machines: Sequence[Machine]
+    columns: Machine | None
+
+    def alone(self) -> Iterator["_Block"]:
+        """Give each of them."""
+        return (_Block(range(place, place + 1), self.machines, None) for place in self.places)
+
+    def known(self) -> Mapping[type, object]:
+        """Find what leads to their starts."""
+        if self.columns is None:
+            return over_time_of_designs([self.machines[place] for place in self.places], (ReadyStarts,))
+        return over_time_of_columns(self.columns, len(self.places), (ReadyStarts,))
 
 
 def _how_far(done: int, n_starts: int) -> Words:
@@ -87,23 +92,61 @@ def _how_far(done: int, n_starts: int) -> Words:
     return said.format(done=done, all=n_starts)
 
 
-def _add_block(
-    gathered: "_Gathered", machines: Sequence[Machine], first: int, wanted: Sequence[str] | None, n_left: int
-) -> None:
+def _add_block(gathered: Gathered, block: _Block, wanted: Sequence[str] | None, n_left: int) -> None:
     """Compute starts of designs that are made ready together; one by one where that refuses some of them."""
     try:
-        known = over_time_of_designs(machines, (ReadyStarts,))
+        known: Mapping[type, Any] = block.known()
     except InputError as error:
-        if len(machines) == 1:
-            gathered.refused[first] = error.problems[0]
+        if len(block.places) == 1:
+            gathered.refused[block.places[0]] = error.problems[0]
             return
-        for place, machine in enumerate(machines, start=first):
-            _add_block(gathered, [machine], place, wanted, n_left)
+        for own in block.alone():
+            _add_block(gathered, own, wanted, n_left)
         return
     ready: ReadyStarts = known[ReadyStarts]
-    outcome = partial(_outcome, ready, _stages_of_facts(machines[0], known, wanted))
-    for place, found in enumerate(_run_each(outcome, ready.kernels, len(machines), n_left), start=first):
-        gathered.take(place, found)
+    stages = _stages_of_facts(block.machines[block.places[0]], known, wanted)
+    in_short = ready.ran is not None and {stage.gives for stage in stages} <= {StartFacts, StartEvents}
+    outcome = partial(_in_short, ready) if in_short else partial(_outcome, ready, stages)
+    found = dict(zip(block.places, _run_each(outcome, ready.kernels, len(block.places), n_left), strict=True))
+    for place, own in found.items():
+        gathered.refused[place], gathered.ended[place] = own.refused, own.reason
+    computed = {place: own for place, own in found.items() if own.refused is None}
+    if computed:
+        _add_facts(gathered, computed, stages, wanted)
+
+
+def _add_facts(
+    gathered: Gathered, found: Mapping[int, "_Outcome"], stages: Sequence[Stage], wanted: Sequence[str] | None
+) -> None:
+    """Lay facts of designs beside one another."""
+    places, starts = list(found), [own.ran for own in found.values() if own.ran is not None]
+    for at, stage in enumerate(stages):
+        told = {entry.name: entry for entry in entries(stage.gives) if wanted is None or entry.name in wanted}
+        if stage.gives is StartEvents:
+            each = [events_in_time(events_of(one)) for one in starts] or [own.facts[at] for own in found.values()]
+            labels, values = _beside(each, told)
+        else:
+            labels = dict[str, tuple[str, ...]]()
+            homes = _facts_in_short(starts, told) if starts else [own.facts[at] for own in found.values()]
+            values = {name: np.concatenate([getattr(home, name) for home in homes]) for name in told}
+        gathered.add(told, labels, values, places)
+
+
+def _facts_in_short(starts: Sequence[RanStart], told: Collection[str]) -> list[StartFacts]:
+    """Facts of starts that have run, those of energy if they are wanted."""
+    return [facts_of_ran(starts, with_energy=not FACTS_OF_ENERGY.isdisjoint(told))]
+
+
+def _beside(each: Sequence[StartEvents], told: Collection[str]) -> tuple[dict[str, tuple[str, ...]], dict[str, Array]]:
+    """Events of designs by name, NaN where a design has not had one."""
+    labels = [one.labels["event"] for one in each]
+    names = tuple(dict.fromkeys(name for own in labels for name in own))
+    where = {name: column for column, name in enumerate(names)}
+    values = {name: np.full((len(each), len(names)), np.nan) for name in told}
+    for row, (own, events) in enumerate(zip(labels, each, strict=True)):
+        for name, of_all in values.items():
+            of_all[row, [where[label] for label in own]] = getattr(events, name)
+    return {"event": names}, values
 
 
 def _stages_of_facts(machine: Machine, known: Mapping[type, object], wanted: Sequence[str] | None) -> tuple[Stage, ...]:
@@ -121,11 +164,12 @@ def _stages_of_facts(machine: Machine, known: Mapping[type, object], wanted: Seq
 
 
 class _Outcome(NamedTuple):
-    """Facts of one start, what holds them and why it ended; or why there is none."""
+    """What became of one start: its facts, or the run that they are taken from; why it ended; why there is none."""
 
-    facts: tuple[object, ...]
-    reason: Words
-    refused: Problem | None
+    facts: tuple[Any, ...] = ()
+    ran: RanStart | None = None
+    reason: Words = ""
+    refused: Problem | None = None
 
 
 def _outcome(ready: ReadyStarts, stages: Sequence[Stage], design: int, *, is_compiled: bool) -> _Outcome:
@@ -134,9 +178,20 @@ def _outcome(ready: ReadyStarts, stages: Sequence[Stage], design: int, *, is_com
         # NaN stands for links that cannot close, and is no news.
         with np.errstate(all="ignore"):
             run = ready.run(design, StartAsked(), is_compiled=is_compiled)
-            return _Outcome(tuple(stage.function(run) for stage in stages), run.reason, None)
+            return _Outcome(tuple(stage.function(run) for stage in stages), reason=run.reason)
     except InputError as error:
-        return _Outcome((), "", error.problems[0])
+        return _Outcome(refused=error.problems[0])
+
+
+def _in_short(ready: ReadyStarts, design: int, *, is_compiled: bool) -> _Outcome:
+    """Run a design, without curves."""
+    assert ready.ran is not None  # by whom it is asked
+    try:
+        with np.errstate(all="ignore"):
+            ran = ready.ran(design, is_compiled)
+            return _Outcome(ran=ran, reason=reason_of(ran))
+    except InputError as error:
+        return _Outcome(refused=error.problems[0])
 
 
 def _run_each(
@@ -173,42 +228,3 @@ def _n_threads() -> int:
         return 1
     # Not every system lets a process have some of them alone.
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-class _Gathered:
-    """Facts of starts, laid beside one another."""
-
-    def __init__(self, n_designs: int) -> None:
-        self.entries: dict[str, Entry] = {}
-        self.facts: dict[str, Array] = {}
-        self.events: dict[str, dict[int, tuple[tuple[str, ...], Array]]] = {}
-        """Of each quantity of events, by the places of designs: names and values."""
-        self.reasons: list[Words] = [""] * n_designs
-        self.refused: dict[int, Problem] = {}
-
-    def take(self, place: int, outcome: _Outcome) -> None:
-        """Take what became of a design."""
-        self.reasons[place] = outcome.reason
-        if outcome.refused is not None:
-            self.refused[place] = outcome.refused
-        for home in outcome.facts:
-            for entry in entries(type(home)):
-                self.entries.setdefault(entry.name, entry)
-                values: Array = getattr(home, entry.name)
-                if isinstance(home, StartEvents):
-                    self.events.setdefault(entry.name, {})[place] = home.labels["event"], values
-                else:
-                    of_all = self.facts.setdefault(entry.name, np.full(len(self.reasons), np.nan))
-                    of_all[place] = values[0]
-
-    def found(self) -> FactsOfStarts:
-        """Give all that is known; where a design has fewer events, NaN in their places."""
-        each = [labels for own in self.events.values() for labels, _values in own.values()]
-        names = tuple(dict.fromkeys(name for labels in each for name in labels))
-        where, values = {name: column for column, name in enumerate(names)}, dict(self.facts)
-        for quantity, own in self.events.items():
-            values[quantity] = np.full((len(self.reasons), len(names)), np.nan)
-            for place, (labels, known) in own.items():
-                values[quantity][place, [where[label] for label in labels]] = known
-        labels = {"event": names} if self.events else {}
-        return FactsOfStarts(self.entries, labels, values, tuple(self.reasons), self.refused)

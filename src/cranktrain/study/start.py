@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.analysis.behind import pipeline
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import run_stages
-from cranktrain.analysis.parts import parts_of, refuse_wrong
+from cranktrain.analysis.parts import designs_of, parts_of, parts_together, refuse_wrong
 from cranktrain.analysis.stages import lacking, leading_to, stages_over_time
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import Listed, Words, _
@@ -221,10 +221,19 @@ def over_time_of_designs(
     machines: Sequence[Machine], outcomes: Sequence[type], asked: StartAsked | None = None
 ) -> Mapping[type, Any]:
     """As `over_time`, of designs of one machine with which nothing is wrong, and which differ in numbers alone."""
-    parts = _parts(machines, asked or StartAsked())
+    return _over_time(machines[0], _parts(machines, asked or StartAsked()), outcomes)
+
+
+def over_time_of_columns(together: Machine, n_designs: int, outcomes: Sequence[type]) -> Mapping[type, Any]:
+    """The same of designs that stand together in the columns of one machine."""
+    laid = parts_together(together, designs_of(together, n_designs), step=FACTS_STEP)
+    return _over_time(together, {**laid, StartAsked: StartAsked()}, outcomes)
+
+
+def _over_time(machine: Machine, parts: dict[type, Any], outcomes: Sequence[type]) -> Mapping[type, Any]:
     if DeclaredDrive not in parts:
         raise InputError([Problem("drive", None, _("is missing; a start needs what drives the crank"))])
-    stages = stages_over_time(machines[0], parts)
+    stages = stages_over_time(machine, parts)
     absent = lacking(stages, parts)
     if StartRun.__name__ in absent:
         lacks = Listed(tuple(dict.fromkeys(absent[StartRun.__name__])))

@@ -1,9 +1,6 @@
 """Starts of many designs of one machine: their facts beside one another, and each design's curves where asked for."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
-
-import numpy as np
 
 from cranktrain.analysis.parts import differences
 from cranktrain.errors import InputError, Problem, refuse
@@ -16,7 +13,8 @@ from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Run
 from cranktrain.saying.sections import Column, Grid, PagePart, section
-from cranktrain.study.facts_of_starts import FactsOfStarts, facts_of_starts
+from cranktrain.study.facts_of_rows import FactsOfRows, Gathered
+from cranktrain.study.facts_of_starts import facts_of_starts
 from cranktrain.study.start import Start, start
 from cranktrain.transient.runs import Progress
 
@@ -36,11 +34,11 @@ class Starts(Run):
     Attributes
     ----------
     machines : tuple of Machine
-    found : FactsOfStarts
+    found : FactsOfRows
     """
 
     machines: tuple[Machine, ...]
-    found: FactsOfStarts
+    found: FactsOfRows
 
     def __getattr__(self, name: str) -> Array:
         """Give a fact of all designs, in the unit of its entry."""
@@ -88,12 +86,12 @@ class Starts(Run):
     @property
     def reasons(self) -> tuple[Words, ...]:
         """Why the start of each design ended; empty of one that was not computed."""
-        return self.found.reasons
+        return tuple(self.found.ended)
 
     @property
     def refused(self) -> Mapping[int, Problem]:
         """What is wrong with designs that were not computed, by their places."""
-        return self.found.refused
+        return {place: problem for place, problem in enumerate(self.found.refused) if problem is not None}
 
     def about(self) -> Iterator[tuple[str, Words]]:
         """What heads a file of it: the machine, what of the designs cannot be, and why starts ended."""
@@ -160,27 +158,12 @@ def starts(
     refuse(dict.fromkeys(differences(machines)))
     wrong = {place: found[0] for place, one in enumerate(machines) if (found := machine_problems(one))}
     fit = [place for place in range(len(machines)) if place not in wrong]
-    computed = facts_of_starts([machines[place] for place in fit])
-    found = _spread(computed, fit, wrong)
+    together = Gathered(len(machines))
+    together.add_rows(facts_of_starts([machines[place] for place in fit]), fit)
+    for place, problem in wrong.items():
+        together.refused[place] = problem
     if placed:
-        refused = {place: placed[place](problem) for place, problem in found.refused.items()}
-        found = replace(found, refused=refused)
-    if len(found.refused) == len(machines):
-        raise InputError(dict.fromkeys(found.refused.values()))
-    return Starts(tuple(machines), found)
-
-
-def _spread(found: FactsOfStarts, places: Sequence[int], wrong: Mapping[int, Problem]) -> FactsOfStarts:
-    """Facts of some designs at their places among all."""
-    if not wrong:
-        return found
-    n_designs = len(places) + len(wrong)
-    reasons: list[Words] = [""] * n_designs
-    for place, reason in zip(places, found.reasons, strict=True):
-        reasons[place] = reason
-    values: dict[str, Array] = {}
-    for name, own in found.values.items():
-        values[name] = np.full((n_designs, *own.shape[1:]), np.nan)
-        values[name][list(places)] = own
-    refused = {**wrong, **{places[place]: problem for place, problem in found.refused.items()}}
-    return FactsOfStarts(found.entries, found.labels, values, tuple(reasons), dict(sorted(refused.items())))
+        together.refused = [problem and put(problem) for put, problem in zip(placed, together.refused, strict=True)]
+    if None not in together.refused:
+        raise InputError(dict.fromkeys(problem for problem in together.refused if problem is not None))
+    return Starts(tuple(machines), together.found())

@@ -107,6 +107,21 @@ def test_compiled_they_are_the_same_to_the_last_bit(monkeypatch):
     assert road._compiled
 
 
+@pytest.mark.parametrize("wanted", [["start_duration", "energy_left_over"], ["effective_motor_torque", "event_time"]])
+def test_a_sweep_has_the_facts_that_are_wanted_as_each_start_alone(wanted):
+    """From columns of designs that are never made one by one, with and without the machine's inertia along the way."""
+    ratios = np.linspace(28.0, 42.0, 30)
+    found = ct.sweep("tilting_table", {RATIO: ratios.tolist()}, wanted, over_time=True)
+    assert set(found.found.values) == set(wanted)
+    for place in (0, 17, 29):
+        alone = ct.start(ct.load("tilting_table").with_({RATIO: float(ratios[place])}))
+        for name in wanted:
+            values, own = found.found.values[name][place], getattr(alone, name)
+            if name == "event_time":
+                values = values[[found.found.labels["event"].index(label) for label in alone.labels["event"]]]
+            np.testing.assert_array_equal(values, own)
+
+
 IN_ANOTHER = """
 from numba.core import event
 from cranktrain.study import facts_of_starts as road

@@ -66,7 +66,7 @@ def ready_strokes(strokes: PressStrokes, start: DeclaredStart) -> ReadyStarts:
     -----
     docs/theory/clutched-drive, eqs. (30.1) to (30.15).
     """
-    return ReadyStarts(partial(_run_of, strokes, start), None)
+    return ReadyStarts(partial(_run_of, strokes, start), None, None)
 
 
 def _run_of(

@@ -1,7 +1,7 @@
 """Curves of a start: when they are looked at closely, and speeds, torques, powers and energies at these times."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields
 from functools import cache
 from itertools import pairwise
@@ -57,14 +57,11 @@ def curves_of(
     load, inertia = np.empty(time.shape), np.empty(time.shape)
     pressure = np.empty((len(case.chambers), *time.shape))
     along = _loops_of(start_kernels(case.motor, is_compiled=is_compiled), is_compiled).loads
-    begins = [*np.searchsorted(time, [begin for begin, _machine in loaded]).tolist(), len(time)]
-    for (first, last), (_begin, machine) in zip(pairwise(begins), loaded, strict=True):
-        if first < last:
-            filled = case.start.gas_pressure if first == 0 else math.nan
-            numbers = numbers_from(machine, float(angle[first]), filled, is_compiled=is_compiled)
-            each = (angle[first:last].copy(), speed[first:last].copy())
-            room = (inertia[first:last], load[first:last], pressure[:, first:last])
-            along(*(each if is_compiled else (one.tolist() for one in each)), numbers, *room)
+    for first, last, machine in _parts(time, loaded):
+        filled = case.start.gas_pressure if first == 0 else math.nan
+        numbers = numbers_from(machine, float(angle[first]), filled, is_compiled=is_compiled)
+        room = (inertia[first:last], load[first:last], pressure[:, first:last])
+        along(*_ready(angle[first:last], speed[first:last], is_compiled=is_compiled), numbers, *room)
     curves = StartCurves(
         crank_angle_turned=angle - case.zero,
         crank_speed=speed,
@@ -81,6 +78,37 @@ def curves_of(
     return SampledGas(curves, pressure)
 
 
+def inertia_of(
+    case: StartCase,
+    time: Array,
+    state: Array,
+    loaded: Sequence[tuple[float, ReducedMachine]],
+    *,
+    is_compiled: bool = False,
+) -> Array:
+    """Reduced inertia of the machine at the samples, as `curves_of` has it, shape (time,). [kg·m²]"""
+    inertia = np.empty(time.shape)
+    along = _loops_of(start_kernels(case.motor, is_compiled=is_compiled), is_compiled).inertias
+    for first, last, machine in _parts(time, loaded):
+        numbers = numbers_from(machine, float(state[first, ANGLE]), is_compiled=is_compiled)
+        each = _ready(state[first:last, ANGLE], state[first:last, SPEED], is_compiled=is_compiled)
+        along(*each, numbers, inertia[first:last])
+    return inertia
+
+
+def _parts(time: Array, loaded: Sequence[tuple[float, ReducedMachine]]) -> Iterator[tuple[int, int, ReducedMachine]]:
+    """From and up to which sample it is which machine."""
+    begins = [*np.searchsorted(time, [begin for begin, _machine in loaded]).tolist(), len(time)]
+    for (first, last), (_begin, machine) in zip(pairwise(begins), loaded, strict=True):
+        if first < last:
+            yield first, last, machine
+
+
+def _ready(*each: Array, is_compiled: bool) -> Iterator[Array | list[float]]:
+    """Samples for a loop: one behind the other; in lists for a plain one."""
+    return (one.copy() if is_compiled else one.tolist() for one in each)
+
+
 def motor_torque(case: StartCase, time: Array, speed: Array, *, is_compiled: bool = False) -> Array:
     """Of the motor at times and speeds of the crank, as it is switched. [N·m]"""
     numbers = Switching(
@@ -91,15 +119,15 @@ def motor_torque(case: StartCase, time: Array, speed: Array, *, is_compiled: boo
     )
     torque = np.empty(time.shape)
     along = _loops_of(start_kernels(case.motor, is_compiled=is_compiled), is_compiled).torques
-    each = (speed * overall_ratio(case.gearing), np.array(time))
-    along(*(each if is_compiled else (one.tolist() for one in each)), numbers, torque)
+    along(*_ready(speed * overall_ratio(case.gearing), time, is_compiled=is_compiled), numbers, torque)
     return torque
 
 
 class _Loops(NamedTuple):
-    """Loops along the samples of a run, which fill arrays: of its machine, and of its motor."""
+    """Loops along the samples of a run, which fill arrays: of its machine, of that the inertia alone; of its motor."""
 
     loads: Callable[..., None]
+    inertias: Callable[..., None]
     torques: Callable[..., None]
 
 
@@ -117,11 +145,17 @@ def _loops_of(kernels: Kernels, is_compiled: bool) -> _Loops:
             pressures(angle, numbers, pressure, at)
             carried(angle, numbers)
 
+    def inertias(angles: Any, speeds: Any, numbers: Any, inertia: Any) -> None:
+        for at in range(len(angles)):
+            inertia[at] = machine(angles[at], speeds[at], 0.0, numbers)[0]
+
     def torques(speeds: Any, times: Any, numbers: Any, torque: Any) -> None:
         for at in range(len(speeds)):
             torque[at] = motor(speeds[at], times[at], numbers)
 
-    return _Loops(kept(loads), kept(torques)) if is_compiled else _Loops(loads, torques)
+    if is_compiled:
+        return _Loops(kept(loads), kept(inertias), kept(torques))
+    return _Loops(loads, inertias, torques)
 
 
 def close_times(case: StartCase, steps: Array, *, is_compiled: bool = False) -> Array:
@@ -143,7 +177,12 @@ def close_times(case: StartCase, steps: Array, *, is_compiled: bool = False) -> 
     closely[1:] |= changes[:-1]
     closely[:-1] |= changes[1:]
     width = np.where(closely, np.diff(time), 0.0)[:, np.newaxis]
-    return np.unique(np.append(time[:-1, np.newaxis] + width * np.linspace(0, 1, _N_CLOSE)[:-1], time[-1]))
+    return each_once(np.append(time[:-1, np.newaxis] + width * np.linspace(0, 1, _N_CLOSE)[:-1], time[-1]))
+
+
+def each_once(times: Array) -> Array:
+    """Times in their order, each once. [s]"""
+    return times[np.append(True, times[1:] != times[:-1])]
 
 
 def at_times(curves: StartCurves, chosen: NDArray[np.intp]) -> StartCurves:

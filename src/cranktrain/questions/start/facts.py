@@ -1,10 +1,16 @@
 """What became of a start in numbers: how long it took, what the motor gave, where the energy went; of a stroke more."""
 
+from collections.abc import Iterable, Mapping
+from dataclasses import fields
+from itertools import pairwise
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.questions.start.record import StartRun
+from cranktrain.questions.start.record import StartEvent, StartRun
 from cranktrain.questions.start.starting import EVENTS
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CLUTCHED_DRIVES as _CLUTCHED
@@ -23,7 +29,7 @@ _LIKE_ITS_NEIGHBOURS = 10.0
 
 @record
 class StartFacts:
-    """A whole run, whatever times were asked for; all arrays of shape (1,), of the one design."""
+    """A whole run, whatever times were asked for; all arrays of shape (design,)."""
 
     start_duration: Array = quantity(
         "t_e", "s", (), N_("Time from the beginning to what ends the run"), _THEORY, "26.9"
@@ -106,29 +112,82 @@ class StrokeStops:
     )
 
 
+class RunsInRow(NamedTuple):
+    """Whole runs of designs, one behind the other.
+
+    Attributes
+    ----------
+    time : Array, shape (sample,)
+        [s]
+    curves : mapping of str to Array, shape (sample,)
+        Of `StartCurves`, by name; of these `kinetic_energy` where it is asked for.
+    begins : array of int, shape (design,)
+        At which sample each begins.
+    reversals : Array, shape (design,)
+        How often the crank turned round.
+    residual, supplied : Array, shape (design,)
+        Kinetic energy at the end less what was given and taken, and the work by which to judge it. [J]
+    """
+
+    time: Array
+    curves: Mapping[str, Array]
+    begins: NDArray[np.intp]
+    reversals: Array
+    residual: Array
+    supplied: Array
+
+
 def start_facts(run: StartRun) -> StartFacts:
     """Take from the whole run what people ask of it in single numbers."""
-    curves, time = run.whole, run.whole_time
-    turned, torque, power = curves.crank_angle_turned, curves.motor_torque, curves.motor_power
-    each = (
-        time[-1],
-        (turned[-1] - turned[0]) / (2 * np.pi),
-        sum(event.sort == EVENTS[REVERSAL] for event in run.events),
-        _last(curves.crank_speed),
-        np.min(torque),
-        np.max(torque),
-        effective_torque(torque, time),
-        np.min(power),
-        np.max(power),
-        _last(curves.motor_work),
-        _last(curves.load_work),
-        _last(curves.lost_work),
-        curves.kinetic_energy[0],
-        _last(curves.kinetic_energy),
-        _last(curves.motor_heat),
-        abs(run.residual) / run.supplied if run.supplied else 0.0,
+    return facts_in_row(
+        RunsInRow(
+            run.whole_time,
+            {one.name: getattr(run.whole, one.name) for one in fields(run.whole)},
+            np.zeros(1, dtype=np.intp),
+            np.array([n_reversals(run.events)], dtype=np.float64),
+            np.array([run.residual]),
+            np.array([run.supplied]),
+        )
     )
-    return StartFacts(*np.array(each, dtype=np.float64)[:, np.newaxis])
+
+
+def n_reversals(events: Iterable[StartEvent]) -> int:
+    """How often the crank turned round."""
+    return sum(event.sort == EVENTS[REVERSAL] for event in events)
+
+
+def facts_in_row(runs: RunsInRow) -> StartFacts:
+    """Facts of runs, each to the last bit as alone; NaN of those of an energy that is not there."""
+    time, curves, first = runs.time, runs.curves, runs.begins
+    last = np.append(first[1:], len(time)) - 1
+    turned, torque, power = (curves[name] for name in ("crank_angle_turned", "motor_torque", "motor_power"))
+    kinetic = curves.get("kinetic_energy", np.full(len(time), np.nan))
+
+    def final(curve: Array) -> Array:
+        """Values at the end; 0 where only rounding is left of one."""
+        is_any = np.abs(curve[last]) > _ROUNDING * np.maximum.reduceat(np.abs(curve), first)
+        return np.where(is_any, curve[last], 0.0)
+
+    is_given = runs.supplied != 0.0
+    each = (
+        time[last],
+        (turned[last] - turned[first]) / (2 * np.pi),
+        runs.reversals,
+        final(curves["crank_speed"]),
+        np.minimum.reduceat(torque, first),
+        np.maximum.reduceat(torque, first),
+        effective_torques(torque, time, first),
+        np.minimum.reduceat(power, first),
+        np.maximum.reduceat(power, first),
+        final(curves["motor_work"]),
+        final(curves["load_work"]),
+        final(curves["lost_work"]),
+        kinetic[first],
+        final(kinetic),
+        final(curves["motor_heat"]),
+        np.divide(np.abs(runs.residual), runs.supplied, out=np.zeros(len(first)), where=is_given),
+    )
+    return StartFacts(*each)
 
 
 def stroke_facts(run: StartRun) -> StrokeFacts:
@@ -150,11 +209,6 @@ def stroke_stops(run: StartRun) -> StrokeStops:
     return StrokeStops(*np.array(stops, dtype=np.float64)[:, np.newaxis])
 
 
-def _last(curve: Array) -> float:
-    """Value at the end; 0 where only rounding is left of it."""
-    return float(curve[-1]) if abs(curve[-1]) > _ROUNDING * np.max(np.abs(curve)) else 0.0
-
-
 def effective_torque(torque: Array, time: Array) -> float:
     """Root mean square of a torque over the time; of a run that ends as it begins, its only value.
 
@@ -168,14 +222,48 @@ def effective_torque(torque: Array, time: Array) -> float:
     float
         [N·m]
     """
-    if time[-1] <= time[0]:
-        return abs(float(torque[-1]))
-    last = np.append(
+    return float(effective_torques(torque, time, np.zeros(1, dtype=np.intp))[0])
+
+
+def effective_torques(torque: Array, time: Array, begins: NDArray[np.intp]) -> Array:
+    """The same of runs one behind the other, each to the last bit as alone; `begins` says at which sample each does."""
+    ends = np.append(begins[1:], len(time)) - 1
+    duration, value = time[ends] - time[begins], np.abs(torque[ends])
+    is_last = np.append(
         np.diff(time) > _SAME * np.spacing(time[1:]), True
     )  # of those at one time, where a part of the run follows another
-    torque, time = torque[last], time[last]
+    is_last[ends] = True
+    torque, time = torque[is_last], time[is_last]
+    after = np.cumsum(np.add.reduceat(is_last, begins, dtype=np.intp))
     squares, steps = torque**2, np.diff(time)
-    beside = np.minimum(np.append(np.inf, steps[:-1]), np.append(steps[1:], np.inf))
-    left_out = steps**2 * np.diff(np.gradient(squares, time)) / 12  # by chords
-    bent = np.sum(left_out[steps <= _LIKE_ITS_NEIGHBOURS * beside])
-    return float(np.sqrt(max(0.0, np.trapezoid(squares, time) - bent) / (time[-1] - time[0])))
+    with np.errstate(all="ignore"):  # from one run to the next
+        slopes = _slopes(squares, steps, after)
+        left_out = steps**2 * np.diff(slopes) / 12  # by chords
+    chords = steps * (squares[1:] + squares[:-1]) / 2.0
+    apart = steps.copy()
+    apart[after[:-1] - 1] = np.inf
+    beside = np.minimum(np.append(np.inf, apart[:-1]), np.append(apart[1:], np.inf))
+    is_bent = steps <= _LIKE_ITS_NEIGHBOURS * beside
+    own = [slice(first, end - 1) for first, end in pairwise([0, *after.tolist()])]
+    # sums of each alone, as a sum over all would round otherwise
+    bent = np.array([np.sum(left_out[one][is_bent[one]]) for one in own])
+    whole = np.array([np.sum(chords[one]) for one in own])
+    is_run = duration > 0
+    mean = np.divide(np.maximum(0.0, whole - bent), duration, out=value**2, where=is_run)
+    return np.where(is_run, np.sqrt(mean), value)
+
+
+def _slopes(values: Array, steps: Array, after: NDArray[np.intp]) -> Array:
+    """Slopes of curves one behind the other, as `numpy.gradient` gives them of each; `after` says where each ends."""
+    before, behind = steps[:-1], steps[1:]
+    slopes = np.empty(len(values))
+    slopes[1:-1] = (
+        -behind / (before * (before + behind)) * values[:-2]
+        + (behind - before) / (before * behind) * values[1:-1]
+        + before / (behind * (before + behind)) * values[2:]
+    )
+    chords = np.diff(values) / steps
+    first, last = np.append(0, after[:-1]), after - 1
+    is_any = last > first
+    slopes[first[is_any]], slopes[last[is_any]] = chords[first[is_any]], chords[last[is_any] - 1]
+    return slopes

@@ -1,7 +1,7 @@
 """What became of a start: its curves over time, its events, why it ended."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
 from typing import NamedTuple, Protocol
 
@@ -13,6 +13,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.start.asked import StartAsked
+from cranktrain.questions.start.case import StartCase
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_TRANSIENTS as _THEORY
 from cranktrain.saying.catalogue import quantity
@@ -20,6 +21,8 @@ from cranktrain.saying.checks import StageResult
 from cranktrain.transient.clutched.settled import SettledStroke
 from cranktrain.transient.clutched.stopping import WorstStop
 from cranktrain.transient.equation import Kernels
+from cranktrain.transient.reduced import ReducedMachine
+from cranktrain.transient.runs import TransientRun
 
 _TIME = ("time",)
 _REDUCED = "docs/theory/reduced-machine"
@@ -161,6 +164,41 @@ class StartRun:
     notes: tuple[str, ...] = ()
 
 
+class PartOfRun(NamedTuple):
+    """Part of a run: when it begins and ends at most, the speed that ends it, and the machine in it. [s, rad/s]
+
+    `to_rest`: it ends where the crank comes to rest, to turn the other way.
+    """
+
+    start: float
+    end: float
+    target: float
+    machine: ReducedMachine
+    to_rest: bool = False
+
+
+class RanStart(NamedTuple):
+    """A start that has run, before anything is made of its states.
+
+    Attributes
+    ----------
+    case : StartCase
+    runs : list of (PartOfRun, TransientRun)
+        One after the other, with the states at all times of the run; those of each span from its beginning on.
+    reason : int
+        Why it ended.
+    asked : Array
+        Times at which curves are wanted. [s]
+    is_compiled : bool
+    """
+
+    case: StartCase
+    runs: list[tuple[PartOfRun, TransientRun]]
+    reason: int
+    asked: Array
+    is_compiled: bool
+
+
 class RunsDesign(Protocol):
     """Runs the start of a design, by its place, as it is asked for; compiled where that is said and can be."""
 
@@ -179,10 +217,14 @@ class ReadyStarts:
         See `RunsDesign`.
     kernels : Kernels or None
         Of a compiled run; None where none is.
+    ran : callable or None
+        Runs the start of a design, compiled if that is said, without making curves of its states; None where that
+        cannot be left out.
     """
 
     run: RunsDesign
     kernels: Kernels | None
+    ran: Callable[[int, bool], RanStart] | None
 
 
 def start_curves(run: StartRun) -> StartCurves:
@@ -202,10 +244,16 @@ def start_pressures(run: StartRun, gas: GasInChambers, crank_angle: CrankAngle) 
 
 def start_events(run: StartRun) -> StartEvents:
     """Times, crank angles and speeds of what happened on the way."""
+    return events_in_time(run.events)
+
+
+def events_in_time(events: Iterable[StartEvent]) -> StartEvents:
+    """Put events in the order of time into arrays."""
     counts: Counter[str] = Counter()
     labels: list[str] = []
-    for event in run.events:
+    rows: list[tuple[float, float, float]] = []
+    for event in events:
         counts[event.sort] += 1
         labels.append(f"{event.sort} {counts[event.sort]}" if counts[event.sort] > 1 else event.sort)
-    each = np.array([(event.time, event.angle, event.speed) for event in run.events]).reshape(-1, 3)
-    return StartEvents({"event": tuple(labels)}, *each.T)
+        rows.append((event.time, event.angle, event.speed))
+    return StartEvents({"event": tuple(labels)}, *np.array(rows).reshape(-1, 3).T)

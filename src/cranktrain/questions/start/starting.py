@@ -1,23 +1,22 @@
 """A start: the run of one machine with its motor over time, from rest to whatever ends it."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import N_, _
+from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.questions.reduction.unloaded import with_open_valves
 from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.case import StartCase, StartCases, Switching, start_kernels
-from cranktrain.questions.start.curves import at_times, close_times, curves_of, numbers_from
+from cranktrain.questions.start.curves import at_times, close_times, curves_of, each_once, numbers_from
 from cranktrain.questions.start.method import Method, method_of
 from cranktrain.questions.start.notes import start_notes
-from cranktrain.questions.start.record import GasOverTime, ReadyStarts, StartEvent, StartRun
+from cranktrain.questions.start.record import GasOverTime, PartOfRun, RanStart, ReadyStarts, StartEvent, StartRun
 from cranktrain.saying.wording import number
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
@@ -52,30 +51,26 @@ LONGEST_OVER = N_("60 s are over, the most without a duration")
 OVERSPEED = N_("it turns faster than overspeed allows")
 
 
-class _Span(NamedTuple):
-    """Part of a run: when it begins and ends at most, the speed that ends it, and the machine in it.
-
-    `to_rest`: it ends where the crank comes to rest, to turn the other way.
-    """
-
-    start: float
-    end: float
-    target: float
-    machine: ReducedMachine
-    to_rest: bool = False
-
-
 def ready_starts(cases: StartCases, parts: MovingParts) -> ReadyStarts:
     """Runs from rest; docs/theory/transient, eqs. (26.7) to (26.13)."""
-    return ReadyStarts(partial(_run_of, cases), start_kernels(parts.motor, is_compiled=True))
+    return ReadyStarts(partial(_run_of, cases), start_kernels(parts.motor, is_compiled=True), partial(_ran_of, cases))
 
 
 def _run_of(cases: StartCases, design: int, asked: StartAsked, *, is_compiled: bool) -> StartRun:
     """Run the start of a design, or refuse it."""
+    return run_start(_case_of(cases, design), asked, is_compiled=is_compiled)
+
+
+def _ran_of(cases: StartCases, design: int, is_compiled: bool) -> RanStart:
+    """Run the start of a design as its file says, or refuse it."""
+    return ran_start(_case_of(cases, design), StartAsked(), is_compiled=is_compiled)
+
+
+def _case_of(cases: StartCases, design: int) -> StartCase:
     case = cases.each[design]
     if isinstance(case, InputError):
         raise case
-    return run_start(case, asked, is_compiled=is_compiled)
+    return case
 
 
 def start_run(ready: ReadyStarts, parts: MovingParts, asked: StartAsked) -> StartRun:
@@ -90,6 +85,11 @@ def start_run(ready: ReadyStarts, parts: MovingParts, asked: StartAsked) -> Star
 
 
 def run_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool = False) -> StartRun:
+    """Run a start, with curves of all of it."""
+    return _together(ran_start(case, asked_for, is_compiled=is_compiled))
+
+
+def ran_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool) -> RanStart:
     """Run a start: to its end, and once more for the states on the way where its steps do not tell them."""
     method = method_of(case, is_compiled=is_compiled)
     first = list(_runs(case, method, _NO_TIMES, np.inf, asked_for.progress, keeps_steps=True))
@@ -98,12 +98,12 @@ def run_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool = Fal
     asked = wanted_times(asked_for, case.start.interval, case.interval_text, end)
     ends = np.concatenate([found.steps[:, :2] + np.array([span.start, 0.0]) for span, found in first])
     close = close_times(case, ends, is_compiled=method.is_compiled)
-    samples = np.unique(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close]))
+    samples = each_once(np.sort(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close]), kind="stable"))
     if all(found.tells_within for _span, found in first):
         runs = [(span, found.sampled(_within(span, samples), is_compiled=method.is_compiled)) for span, found in first]
     else:
         runs = list(_runs(case, method, samples, end if last.reason == endings.STOPPED else np.inf, None))
-    return _together(case, runs, last.reason, asked, is_compiled=method.is_compiled)
+    return RanStart(case, runs, last.reason, asked, method.is_compiled)
 
 
 _NO_TIMES = np.empty(0)
@@ -137,7 +137,7 @@ def _runs(
     progress: Progress | None,
     *,
     keeps_steps: bool = False,
-) -> Iterator[tuple[_Span, TransientRun]]:
+) -> Iterator[tuple[PartOfRun, TransientRun]]:
     """Run span by span, each from where the last one ended, until one ends for a reason of its own."""
     angle, speed, now = case.start.angle + case.zero, case.start.speed, 0.0
     run, is_compiled = method
@@ -162,12 +162,12 @@ def _runs(
         angle, speed = float(found.end[0]), float(found.end[1])
         numbers, machine = found.machine, span.machine
         if now < until and now < end:
-            spans = [_Span(now, until, np.inf, span.machine)]
+            spans = [PartOfRun(now, until, np.inf, span.machine)]
         elif now >= end or not (is_over or (span.to_rest and found.reason == endings.SWINGS)):
             return
 
 
-def _from_speed(case: StartCase, span: _Span, speed: float) -> _Span:
+def _from_speed(case: StartCase, span: PartOfRun, speed: float) -> PartOfRun:
     """Some cycles in place of a speed to reach, where a span that is to settle begins at that speed or faster."""
     if case.is_to_settle and np.isfinite(span.target) and speed >= span.target:
         return span._replace(target=np.inf, end=min(span.end, span.start + _MORE_CYCLES * case.cycle_time))
@@ -195,7 +195,7 @@ def _breaks(case: StartCase) -> Iterator[float]:
     yield from (back + at for at in times if back + at < off)
 
 
-def _train(case: StartCase, span: _Span, machine: Array | list[float]) -> DriveTrain:
+def _train(case: StartCase, span: PartOfRun, machine: Array | list[float]) -> DriveTrain:
     """Numbers of a span's kernels."""
     off, back, braked = _switches(case)
     numbers = () if case.motor is None else case.motor.row(0)
@@ -208,12 +208,12 @@ def _train(case: StartCase, span: _Span, machine: Array | list[float]) -> DriveT
     )
 
 
-def _within(span: _Span, samples: Array) -> Array:
+def _within(span: PartOfRun, samples: Array) -> Array:
     """Samples of a span, from its beginning on. [s]"""
     return samples[(samples >= span.start) & (samples <= span.end)] - span.start
 
 
-def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: Array) -> Wanted:
+def _wanted(case: StartCase, span: PartOfRun, angle: float, speed: float, samples: Array) -> Wanted:
     """What is wanted of a span."""
     return wanted(
         span.end - span.start,
@@ -234,10 +234,30 @@ def _wanted(case: StartCase, span: _Span, angle: float, speed: float, samples: A
     )
 
 
-def _together(
-    case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: int, asked: Array, *, is_compiled: bool
-) -> StartRun:
-    """One run of all its spans, times counted on, works added up; in whole, and at the times that were asked for."""
+def _together(ran: RanStart) -> StartRun:
+    """One run of all its spans; in whole, and at the times that were asked for."""
+    case, runs = ran.case, ran.runs
+    time, state = counted_on(runs)
+    wanted_too = np.flatnonzero(np.isin(time, ran.asked))
+    whole, pressure = curves_of(case, time, state, loaded(runs), is_compiled=ran.is_compiled)
+    return StartRun(
+        reason=reason_of(ran),
+        time=time[wanted_too],
+        curves=at_times(whole, wanted_too),
+        whole_time=time,
+        whole=whole,
+        events=tuple(events_of(ran)),
+        residual=residual_of(ran),
+        supplied=supplied_of(ran, np.max(whole.kinetic_energy)),
+        gas=GasOverTime(case.chambers, pressure, wanted_too),
+        tolerance=case.start.tolerance,
+        n_steps=sum(found.n_steps for _, found in runs),
+        method=runs[-1][1].method,
+    )
+
+
+def counted_on(runs: Sequence[tuple[PartOfRun, TransientRun]]) -> tuple[Array, Array]:
+    """Times and states of all spans of a run, times counted on, works added up, shapes (n,) and (n, 6)."""
     times, states = list[Array](), list[Array]()
     before = np.zeros(N_STATE)
     for at, (span, found) in enumerate(runs):
@@ -246,39 +266,36 @@ def _together(
         times.append(found.time[kept] + span.start)
         states.append(found.states[kept] + before)
         before[MOTOR_WORK:] += found.end[MOTOR_WORK:]
-    span, last = runs[-1]
-    time, state = np.concatenate(times), np.concatenate(states)
-    wanted_too = np.flatnonzero(np.isin(time, asked))
-    loaded = [(one.start, one.machine) for one in _loaded(runs)]
-    whole, pressure = curves_of(case, time, state, loaded, is_compiled=is_compiled)
-    return StartRun(
-        reason=_(_reason(case, runs, reason)),
-        time=time[wanted_too],
-        curves=at_times(whole, wanted_too),
-        whole_time=time,
-        whole=whole,
-        events=tuple(_events(case, runs)),
-        residual=sum(found.residual for _, found in runs),
-        supplied=max(sum(found.supplied for _, found in runs), float(np.max(whole.kinetic_energy))),
-        gas=GasOverTime(case.chambers, pressure, wanted_too),
-        tolerance=case.start.tolerance,
-        n_steps=sum(found.n_steps for _, found in runs),
-        method=last.method,
-    )
+    return np.concatenate(times), np.concatenate(states)
 
 
-def _loaded(runs: list[tuple[_Span, TransientRun]]) -> Iterator[_Span]:
-    """Spans with which another machine begins: a compressor that is loaded."""
-    machine = None
+def residual_of(ran: RanStart) -> float:
+    """Kinetic energy at the end less what was given and taken. [J]"""
+    return sum(found.residual for _, found in ran.runs)
+
+
+def supplied_of(ran: RanStart, kinetic: float) -> float:
+    """The work by which to judge what is left over, by the largest kinetic energy on the way. [J]"""
+    return max(sum(found.supplied for _, found in ran.runs), float(kinetic))
+
+
+def loaded(runs: Sequence[tuple[PartOfRun, TransientRun]]) -> list[tuple[float, ReducedMachine]]:
+    """From when on it is which machine: a compressor that is loaded is another. [s]"""
+    found = list[tuple[float, ReducedMachine]]()
     for span, _found in runs:
-        if span.machine is not machine:
-            machine = span.machine
-            yield span
+        if not found or span.machine is not found[-1][1]:
+            found.append((span.start, span.machine))
+    return found
 
 
-def _reason(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: int) -> str:
-    """Why it ended, by what was asked for."""
-    span, last = runs[-1]
+def reason_of(ran: RanStart) -> Words:
+    """Why it ended."""
+    return _(_reason(ran))
+
+
+def _reason(ran: RanStart) -> str:
+    """Why it ended, by what was asked for, not yet translated."""
+    case, reason, (span, last) = ran.case, ran.reason, ran.runs[-1]
     if reason == endings.OVERSPEED:
         return OVERSPEED
     if reason == endings.TOO_MANY_STEPS and last.n_steps >= _MOST_STEPS:
@@ -290,8 +307,9 @@ def _reason(case: StartCase, runs: list[tuple[_Span, TransientRun]], reason: int
     return SETTLED if last.end[SPEED] >= 0 else SETTLED_BACKWARD
 
 
-def _events(case: StartCase, runs: list[tuple[_Span, TransientRun]]) -> Iterator[StartEvent]:
+def events_of(ran: RanStart) -> Iterator[StartEvent]:
     """What happened on the way, by time; a crank that stops and is held does not turn round."""
+    case, runs = ran.case, ran.runs
     held = {span.start + event.time for span, found in runs for event in found.of_kind(endings.HELD)}
     for span, found in runs:
         for event in found.events:
@@ -305,7 +323,7 @@ def _events(case: StartCase, runs: list[tuple[_Span, TransientRun]]) -> Iterator
             )
 
 
-def _spans(case: StartCase) -> Iterator[_Span]:
+def _spans(case: StartCase) -> Iterator[PartOfRun]:
     """Parts of a run: until a compressor is loaded; until it nearly runs as it will, and a little more; or as asked.
 
     A motor that is reversed stops the crank first, and then runs it up the other way.
@@ -314,15 +332,15 @@ def _spans(case: StartCase) -> Iterator[_Span]:
     asked, back = case.start.until_speed, case.start.motor_reversed
     begins = min(case.start.unloaded_until, end)
     if begins > 0:
-        yield _Span(0.0, begins, asked, with_open_valves(case.machine))
+        yield PartOfRun(0.0, begins, asked, with_open_valves(case.machine))
     if case.is_to_settle and back < end:
         if back > begins:
-            yield _Span(begins, back, np.inf, case.machine)
-        yield _Span(back, end, np.inf, case.machine, to_rest=True)
-    yield _Span(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
+            yield PartOfRun(begins, back, np.inf, case.machine)
+        yield PartOfRun(back, end, np.inf, case.machine, to_rest=True)
+    yield PartOfRun(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
 
 
-def _followed(case: StartCase, span: _Span, found: TransientRun, speed: float) -> float:
+def _followed(case: StartCase, span: PartOfRun, found: TransientRun, speed: float) -> float:
     """When a span is over that follows on the last one, which began at a speed; its own end where none does. [s]"""
     ended = span.start + found.end_time
     if not case.is_to_settle:

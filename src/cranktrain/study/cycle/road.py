@@ -13,13 +13,11 @@ from numpy.typing import NDArray
 
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.outcomes import StageRun
-from cranktrain.analysis.parts import parts_together
+from cranktrain.analysis.parts import designs_of, parts_together
 from cranktrain.analysis.stages import homes, lacking, stages_of
-from cranktrain.columns import row_of
 from cranktrain.extras import installing, is_there
 from cranktrain.language import Words, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.design import Design
 from cranktrain.layout.loads import Loads
 from cranktrain.layout.masses import Masses
 from cranktrain.layout.mechanisms import Mechanisms, Pistons
@@ -233,7 +231,7 @@ def facts_of_cycles(together: Machine, n_designs: int, way: CompiledWay) -> Fact
         Of one of them, by `way_to`.
     """
     with np.errstate(all="ignore"):
-        parts: Any = parts_together(together, _designs(together, n_designs), step=FACTS_STEP)
+        parts: Any = parts_together(together, designs_of(together, n_designs), step=FACTS_STEP)
         cycles = _cycles(together, parts, n_designs, way)
     cycles.stages.find(way.homes.values())
     told = {name: _entry(kind, name) for name, kind in way.homes.items()}
@@ -244,13 +242,6 @@ def facts_of_cycles(together: Machine, n_designs: int, way: CompiledWay) -> Fact
 
 def _entry(kind: type, name: str) -> Entry:
     return next(entry for entry in entries(kind) if entry.name == name)
-
-
-def _designs(together: Machine, n_designs: int) -> list[Design]:
-    """The designs by themselves; one for all where nothing is taken of each, as pulls on a crankshaft are."""
-    if together.crankshaft is not None and together.crankshaft.pulls:
-        return [row_of(together, place).design for place in range(n_designs)]
-    return [row_of(together, 0).design] * n_designs
 
 
 def _cycles(together: Machine, parts: Any, n_designs: int, way: CompiledWay) -> Cycles:

@@ -10,8 +10,8 @@ from typing import Any
 from cranktrain.errors import InputError, Problem
 from cranktrain.extras import imported
 from cranktrain.language import _
+from cranktrain.study.facts_of_rows import FactsOfRows
 from cranktrain.study.sweep.crew import Compute, Span
-from cranktrain.study.sweep.facts import FactsOfRows
 
 _ANSWERS = 10.0
 """So long a scheduler has to answer. [s]"""

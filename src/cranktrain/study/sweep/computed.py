@@ -14,9 +14,10 @@ from cranktrain.language import Words, _
 from cranktrain.machine import Machine
 from cranktrain.paths import path_text, quantity_path
 from cranktrain.study.cycle.road import CompiledWay
+from cranktrain.study.facts_of_rows import FactsOfRows, joined_rows, rows_of
 from cranktrain.study.sweep.blocks import Blocks, blocks_of
 from cranktrain.study.sweep.crew import Alone, Compute, Crew, Span, in_order, killed
-from cranktrain.study.sweep.facts import FactsOfRows, FactsOfSweep, joined_rows, rows_of
+from cranktrain.study.sweep.facts import FactsOfSweep
 from cranktrain.study.sweep.kept import InMemory, Plan, Store
 from cranktrain.study.sweep.sweep import Sweep
 from cranktrain.study.sweep.varied import (

@@ -7,7 +7,7 @@ from typing import Protocol, TypeAlias
 from cranktrain.errors import Problem
 from cranktrain.how_far import listened_to
 from cranktrain.language import Words, _
-from cranktrain.study.sweep.facts import FactsOfRows
+from cranktrain.study.facts_of_rows import FactsOfRows
 
 Span: TypeAlias = tuple[int, int]
 """Designs of a sweep, from one and up to another."""

@@ -5,9 +5,9 @@ from typing import NamedTuple, Protocol
 
 from cranktrain.language import Words, _
 from cranktrain.machine import Machine
+from cranktrain.study.facts_of_rows import FactsOfRows, joined_rows
 from cranktrain.study.sweep.blocks import Blocks
 from cranktrain.study.sweep.crew import without_facts
-from cranktrain.study.sweep.facts import FactsOfRows, joined_rows
 from cranktrain.study.sweep.varied import SweptDesigns
 
 STORE = ".zarr"

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import _
+from cranktrain.study.facts_of_rows import FactsOfRows
 from cranktrain.study.sweep.crew import TRIES, Compute, Span
-from cranktrain.study.sweep.facts import FactsOfRows
 
 _GONE = 2.0
 """So long a process has to end by itself. [s]"""

@@ -14,7 +14,7 @@ from cranktrain.saying.amounts import Amount
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import said_name
 from cranktrain.saying.sections import Column, Grid, Part
-from cranktrain.study.sweep.facts import FactsOfRows
+from cranktrain.study.facts_of_rows import FactsOfRows
 from cranktrain.study.sweep.varied import SweptDesigns, Varied
 
 _MOST_LINES = 24

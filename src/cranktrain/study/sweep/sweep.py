@@ -26,7 +26,7 @@ from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.names import said_name
 from cranktrain.saying.run import Axis, BehindQuantity, Marks, RowHeads, Run
 from cranktrain.saying.sections import PagePart, section
-from cranktrain.study.sweep.facts import FactsOfRows
+from cranktrain.study.facts_of_rows import FactsOfRows
 from cranktrain.study.sweep.kept import stopped
 from cranktrain.study.sweep.shown import FactsAlong, shown_facts
 from cranktrain.study.sweep.varied import SweptDesigns, Varied
