@@ -158,7 +158,7 @@ def declared_crankshafts(designs: Designs) -> DeclaredCrankshafts | None:
     found = [
         _declared(designs, number, name, table, line)
         for number, (name, table) in enumerate(lines.tables.items())
-        if table is not None and (line := lines.line(name)) is not None
+        if table is not None and (line := lines.line(designs.together, name)) is not None
     ]
     return DeclaredCrankshafts(tuple(found)) if found else None
 

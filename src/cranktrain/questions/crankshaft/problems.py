@@ -79,7 +79,7 @@ class _OneShaft:
         found = [*self._counts(len(pins)), *self._numbers(len(pins))]
         yield from found
         if not found and not missing:
-            line = self.design.once(ShaftLines).line(self.name)
+            line = self.design.once(ShaftLines).line(self.design, self.name)
             assert line is not None
             yield from self._in_line(line)
 

@@ -103,20 +103,20 @@ def _either(of_shaft: Any, common: Any) -> Any:
 
 
 class ShaftLines:
-    """The crankshafts of a design, each put in line when somebody asks for it, and once."""
+    """The crankshafts of a design, which holds them: each put in line when somebody asks for it, and once."""
 
     def __init__(self, design: Design) -> None:
         spec = design.table(CrankshaftSpec)
-        self._design, self._lines = design, dict[str, ShaftLine | None]()
+        self._lines = dict[str, ShaftLine | None]()
         self.tables: Mapping[str, CrankshaftTable | None] = {
             name: None if spec is None else table_of(spec, name) for name in design.shafts
         }
 
-    def line(self, shaft: str) -> ShaftLine | None:
-        """Give a shaft in line, of whose table all is there; None where nothing says where its throws stand."""
+    def line(self, design: Design, shaft: str) -> ShaftLine | None:
+        """Give one of the design in line, of whose table all is there; None where nothing says where its throws are."""
         if shaft not in self._lines:
             table = self.tables[shaft]
-            pins = None if table is None else line_pins(table, self._design, shaft)
+            pins = None if table is None else line_pins(table, design, shaft)
             self._lines[shaft] = None if table is None or pins is None else shaft_line(table, pins)
         return self._lines[shaft]
 
