@@ -7,7 +7,7 @@ import { build } from "esbuild";
 const license = await readFile("node_modules/uplot/LICENSE", "utf8");
 
 await build({
-  entryPoints: { standalone: "src/standalone.ts" },
+  entryPoints: { standalone: "src/standalone.ts", app: "src/app.ts" },
   outdir: "../src/cranktrain/web/built",
   bundle: true,
   minify: true,

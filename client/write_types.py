@@ -10,7 +10,7 @@ from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 import numpy as np
 
 from cranktrain.language import Said
-from cranktrain.web.page import ShownMachine
+from cranktrain.web.case import PageCase
 
 HEAD = """// What a page is given. Written by write_types.py out of the records of cranktrain.web; do not edit.
 
@@ -70,7 +70,7 @@ class Types:
 def types_text() -> str:
     """Give all of them."""
     types = Types()
-    types.interface(ShownMachine)
+    types.interface(PageCase)
     return "\n".join([HEAD, *types.written.values()])
 
 

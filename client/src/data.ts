@@ -9,6 +9,13 @@ export interface Numbers {
   readonly shape: readonly number[];
 }
 
+export interface PageCase {
+  readonly is: "PageCase";
+  readonly machine: ShownMachine;
+  readonly tables: readonly (NumbersOfTable)[];
+  readonly words: CaseWords;
+}
+
 export interface ShownMachine {
   readonly is: "ShownMachine";
   readonly name: string;
@@ -339,4 +346,29 @@ export interface PageWords {
   readonly keys: string;
   readonly checks: string;
   readonly left_out: string;
+}
+
+export interface NumbersOfTable {
+  readonly is: "NumbersOfTable";
+  readonly name: string;
+  readonly inputs: readonly (PageInput)[];
+}
+
+export interface PageInput {
+  readonly is: "PageInput";
+  readonly path: string;
+  readonly name: string;
+  readonly text: string;
+  readonly status: string;
+  readonly note: string;
+}
+
+export interface CaseWords {
+  readonly is: "CaseWords";
+  readonly machine: string;
+  readonly numbers: string;
+  readonly undo: string;
+  readonly redo: string;
+  readonly save: string;
+  readonly as_in_file: string;
 }

@@ -1,6 +1,6 @@
 // A page of one machine: the mechanism beside its curves, tab by tab, all at one crank angle.
 
-import { placeIn, remember } from "./address.ts";
+import { placeIn, remember, withPlace } from "./address.ts";
 import { curves, lineSample, type Shown } from "./curves.ts";
 import type { ShownMachine, PageRuler, PageSheet, PageTab } from "./data.ts";
 import { html } from "./elements.ts";
@@ -19,9 +19,10 @@ const WIDE = 1.8;
 
 type Part = PageSheet["columns"][number][number];
 
-/** Show a machine in an element. */
-export function showPage(page: ShownMachine, into: HTMLElement): void {
+/** Show a machine in an element; give what ends that. */
+export function showPage(page: ShownMachine, into: HTMLElement): () => void {
   const { words } = page;
+  const ended = new AbortController();
   const mechanism = new Mechanism(page.drawing, words.drawing);
   const cycle = number(page.cycle);
   const start = placeIn(location.hash);
@@ -36,7 +37,7 @@ export function showPage(page: ShownMachine, into: HTMLElement): void {
     slider.value = `${angle}`;
     reading.textContent = `φ = ${isPlaying ? Math.round(angle) : +angle.toFixed(1)}°`;
     const word = isPlaying ? words.stop : words.play;
-    if (!isPlaying || play.title !== word) remember({ tab: chosen, angle: isPlaying ? NaN : angle });
+    if (!isPlaying || play.title !== word) remember(withPlace(location.hash, { tab: chosen, angle: isPlaying ? NaN : angle }));
     if (play.title !== word) {
       play.title = word;
       play.setAttribute("aria-label", word);
@@ -103,17 +104,24 @@ export function showPage(page: ShownMachine, into: HTMLElement): void {
     ),
   );
   dragged(mechanism, turning);
-  document.addEventListener("keydown", (event) => { pressed(event, turning); });
-  let width = 0;
-  new ResizeObserver(() => {
+  document.addEventListener("keydown", (event) => { pressed(event, turning); }, { signal: ended.signal });
+  const fit = (): void => { for (const one of shown) one.fit(); };
+  let width = right.clientWidth;
+  const room = new ResizeObserver(() => {
     if (right.clientWidth === width) return;
     width = right.clientWidth;
-    for (const one of shown) one.fit();
-  }).observe(right);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { for (const one of shown) one.fit(); });
+    fit();
+  });
+  room.observe(right);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", fit, { signal: ended.signal });
   turning.stand(Number.isNaN(start.angle) ? 0 : start.angle);
   choose(chosen);
   if (Number.isNaN(start.angle) && !matchMedia("(prefers-reduced-motion: reduce)").matches) turning.play();
+  return () => {
+    turning.end();
+    room.disconnect();
+    ended.abort();
+  };
 }
 
 /** What is to be minded: of a long list its head, and all of it where somebody asks. */

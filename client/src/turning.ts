@@ -49,6 +49,11 @@ export class Turning {
     this.stand(Math.round(this.angle));
   }
 
+  /** Stand where it is, and say nothing of it. */
+  end(): void {
+    this.isPlaying = false;
+  }
+
   toggle(): void {
     if (this.isPlaying) this.stop();
     else this.play();

@@ -39,6 +39,7 @@ OTHERS = [
     ["textbook", "--drive", "example"],
     ["synthesise", "drive", "servo_press"],
     ["run", "tilting_table", "--set", "drive.flywheel.fluctuation=0.02"],
+    ["view", "3d12", "-o", "page.html"],
     ["run", "burning_cylinder", "-o", "run.csv"],
     ["run", "burning_cylinder", "-o", "run.json"],
     ["sweep", "burning_cylinder", "--vary", "rod_length=140..150 mm:2", "--wanted", "stroke", "-o", "sweep.csv"],
@@ -59,7 +60,7 @@ def test_screens_and_files_of_numbers_take_no_extra(tmp_path):
         encoding="utf-8",
     )
     assert (done.stdout, done.stderr) == ("", "")
-    assert {path.name for path in tmp_path.iterdir()} == {"start.csv", "run.csv", "run.json", "sweep.csv"}
+    assert {path.name for path in tmp_path.iterdir()} == {"start.csv", "page.html", "run.csv", "run.json", "sweep.csv"}
 
 
 @pytest.fixture

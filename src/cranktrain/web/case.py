@@ -2,7 +2,7 @@
 
 from cranktrain.io.description import units_of
 from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of, read_machine
-from cranktrain.language import Words
+from cranktrain.language import Words, _
 from cranktrain.one_line import one_line
 from cranktrain.paths import parts_of
 from cranktrain.quantities import shown_as_in
@@ -36,11 +36,23 @@ class PageInput:
 
 
 @record
-class PageTable:
+class NumbersOfTable:
     """Numbers of a table of the file, under its name."""
 
     name: str
     inputs: tuple[PageInput, ...]
+
+
+@record
+class CaseWords:
+    """Words of a page on which numbers may be changed."""
+
+    machine: Words
+    numbers: Words
+    undo: Words
+    redo: Words
+    save: Words
+    as_in_file: Words
 
 
 @record
@@ -50,11 +62,13 @@ class PageCase:
     Attributes
     ----------
     machine : ShownMachine
-    tables : tuple of PageTable
+    tables : tuple of NumbersOfTable
+    words : CaseWords
     """
 
     machine: ShownMachine
-    tables: tuple[PageTable, ...]
+    tables: tuple[NumbersOfTable, ...]
+    words: CaseWords
 
 
 def packed_case(source: str, settings: tuple[str, ...]) -> Packed:
@@ -74,7 +88,19 @@ def packed_case(source: str, settings: tuple[str, ...]) -> Packed:
     """
     file = read_machine(source, settings, partial=True)
     with shown_as_in(units_of(file.machine)):
-        return packed(PageCase(machine_page(computed(file, partial=True)), _tables(file)))
+        return packed(PageCase(machine_page(computed(file, partial=True)), _tables(file), _case_words()))
+
+
+def _case_words() -> CaseWords:
+    """Give them."""
+    return CaseWords(
+        machine=_("Machine"),
+        numbers=_("Numbers of the file"),
+        undo=_("Undo"),
+        redo=_("Redo"),
+        save=_("Save the machine file"),
+        as_in_file=_("As in the file"),
+    )
 
 
 def text_of_case(source: str, settings: tuple[str, ...]) -> str:
@@ -88,12 +114,12 @@ def text_of_case(source: str, settings: tuple[str, ...]) -> str:
     return read_machine(source, settings, partial=True).document.text
 
 
-def _tables(file: MachineFile) -> tuple[PageTable, ...]:
+def _tables(file: MachineFile) -> tuple[NumbersOfTable, ...]:
     """Give the numbers of a file, table by table."""
     tables: dict[str, list[Input]] = {}
     for one in inputs_of(file):
         tables.setdefault(_table_of(one.path), []).append(one)
-    return tuple(PageTable(name, tuple(map(_page_input, inputs))) for name, inputs in tables.items())
+    return tuple(NumbersOfTable(name, tuple(map(_page_input, inputs))) for name, inputs in tables.items())
 
 
 def _table_of(path: str) -> str:

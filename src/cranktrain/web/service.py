@@ -6,7 +6,7 @@ it sends forbids a browser to ask anybody else.
 
 import json
 import struct
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Iterator, Sequence
 from html import escape
 from importlib.resources import files
 from typing import Annotated, Any
@@ -18,9 +18,10 @@ from pydantic import BaseModel, Field
 from starlette.concurrency import run_in_threadpool
 from starlette.middleware.trustedhost import TrustedHostMiddleware
 
-from cranktrain.errors import InputError, Problem
+from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.examples import example_names
 from cranktrain.language import said as _
+from cranktrain.paths import parts_of
 from cranktrain.version import VERSION
 from cranktrain.web.case import packed_case, text_of_case
 from cranktrain.web.packed import Packed
@@ -29,6 +30,9 @@ _HOSTS = ("127.0.0.1", "localhost")
 _MOST_BYTES = 64_000
 """Of a request: numbers set anew, and the name of an example."""
 _MOST_SETTINGS, _LONGEST = 100, 500
+
+_FILE_KEY = "file"
+"""Of tables of a machine file that name another."""
 
 _POLICY = "; ".join(
     (
@@ -54,6 +58,7 @@ _PAGE = """<!doctype html>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>cranktrain</title>
+<link rel="icon" href="data:,">
 <link rel="stylesheet" href="app.css">
 <main id="page" data-file="{file}"></main>
 <script src="app.js"></script>
@@ -104,7 +109,8 @@ def service(file: str | None = None) -> FastAPI:
     known = frozenset(example_names())
 
     def source(asked: CaseAsked) -> str:
-        """Find what is meant: a name that is none of an example's never becomes the name of a file."""
+        """Find what is meant: what is sent never becomes the name of a file."""
+        refuse(_naming_files(asked.settings))
         if asked.machine in known:
             return asked.machine
         if not asked.machine and file is not None:
@@ -139,6 +145,14 @@ def service(file: str | None = None) -> FastAPI:
         return await run_in_threadpool(text_of_case, source(asked), tuple(asked.settings))
 
     return app
+
+
+def _naming_files(settings: Sequence[str]) -> Iterator[Problem]:
+    """Refuse what would have a file read: a key that names one, or a table in which such a key may stand."""
+    for setting in settings:
+        path, _equals, value = setting.partition("=")
+        if _FILE_KEY in parts_of(path.strip()) or "{" in value:
+            yield Problem(path, None, _("may be a number or a word here, and no file or table"))
 
 
 def _bytes_of(found: Packed) -> bytes:

@@ -1,0 +1,102 @@
+// Numbers of a machine file, any of which may be set anew.
+
+import type { NumbersOfTable, PageInput } from "./data.ts";
+import { html } from "./elements.ts";
+
+/** What is wrong with a number or a machine. */
+export interface Problem {
+  readonly path: string;
+  readonly given: string | null;
+  readonly allowed: string;
+  readonly repair: string | null;
+}
+
+/** A form of the numbers of a file; it says when one is to be set anew. */
+export class Form {
+  readonly element = html("form", { class: "numbers" });
+  private readonly fields = new Map<string, { input: HTMLInputElement; said: HTMLElement }>();
+  private readonly rest = html("div", { class: "problems", role: "alert" });
+
+  constructor(title: string, tables: readonly NumbersOfTable[], set: (path: string, text: string) => void, asInFile: string) {
+    this.element.addEventListener("submit", (event) => { event.preventDefault(); });
+    this.element.append(html("h2", {}, title), this.rest);
+    for (const table of tables) {
+      const group = html("fieldset", {}, html("legend", {}, table.name));
+      group.append(...table.inputs.map((one) => this.row(one, set, asInFile)));
+      this.element.append(group);
+    }
+  }
+
+  /** Whether it has the same numbers, so that texts alone have to change. */
+  fits(tables: readonly NumbersOfTable[]): boolean {
+    const paths = tables.flatMap((table) => table.inputs.map((one) => one.path));
+    return paths.length === this.fields.size && paths.every((path) => this.fields.has(path));
+  }
+
+  /** Show texts, but where somebody types; bold where they are set anew. */
+  fill(tables: readonly NumbersOfTable[], settings: ReadonlyMap<string, string>): void {
+    for (const one of tables.flatMap((table) => table.inputs)) {
+      const field = this.fields.get(one.path);
+      if (!field) continue;
+      if (document.activeElement !== field.input || !field.input.classList.contains("typing")) field.input.value = one.text;
+      field.input.closest(".field")?.classList.toggle("changed", settings.has(one.path));
+    }
+  }
+
+  /** Show what is wrong, each beside its number; what is of none stands above all. */
+  blame(problems: readonly Problem[]): void {
+    for (const { input, said } of this.fields.values()) {
+      input.removeAttribute("aria-invalid");
+      said.replaceChildren();
+    }
+    const others: Problem[] = [];
+    for (const problem of problems) {
+      const field = this.fields.get(problem.path);
+      if (!field) {
+        others.push(problem);
+        continue;
+      }
+      field.input.setAttribute("aria-invalid", "true");
+      field.said.append(sentence(problem));
+    }
+    this.rest.replaceChildren(...others.map((one) => html("p", {}, `✗ ${one.path} `, sentence(one))));
+  }
+
+  private row(one: PageInput, set: (path: string, text: string) => void, asInFile: string): HTMLElement {
+    const id = `number-${this.fields.size}`;
+    const input = html("input", { id, type: "text", value: one.text, spellcheck: "false", autocomplete: "off", "aria-describedby": `${id}-said` });
+    const said = html("div", { class: "said", id: `${id}-said`, role: "alert" });
+    const send = (): void => {
+      input.classList.remove("typing");
+      set(one.path, input.value.trim());
+    };
+    input.addEventListener("input", () => { input.classList.add("typing"); });
+    input.addEventListener("change", send);
+    input.addEventListener("keydown", (event) => {
+      const way = event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0;
+      const stepped = way && stepOf(input.value, way * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1));
+      if (!stepped) return;
+      event.preventDefault();
+      input.value = stepped;
+      send();
+    });
+    const status = html("span", { class: "status", title: [one.status, one.note].filter(Boolean).join(": ") }, one.status.slice(0, 1).toUpperCase());
+    const back = html("button", { type: "button", class: "back", title: asInFile, "aria-label": `${one.name}: ${asInFile}` }, "↺");
+    back.addEventListener("click", () => { set(one.path, ""); });
+    this.fields.set(one.path, { input, said });
+    return html("div", { class: "field" }, html("label", { for: id, title: one.path }, one.name), input, status, back, said);
+  }
+}
+
+/** A text with its number by so much larger, to the decimals that either has; nothing where it has no number. */
+export function stepOf(text: string, by: number): string {
+  const found = /^\s*([+-]?(?:\d+\.?\d*|\.\d+))(?![\d/e])/i.exec(text);
+  if (!found?.[1]) return "";
+  const decimals = Math.max(found[1].split(".")[1]?.length ?? 0, Math.abs(by) < 1 ? 1 : 0);
+  return text.replace(found[1], (Number(found[1]) + by).toFixed(decimals));
+}
+
+function sentence(problem: Problem): string {
+  const said = problem.given === null ? problem.allowed : `${problem.given}: ${problem.allowed}`;
+  return problem.repair === null ? said : `${said}; ${problem.repair}`;
+}

@@ -1,0 +1,149 @@
+"""The service of pages: what it gives, what it refuses, and that it reads no file but its own."""
+
+import json
+import struct
+
+import numpy as np
+import pytest
+from fastapi.testclient import TestClient
+
+import cranktrain as ct
+from cranktrain.web.service import service
+
+CANARY = "canary-7f3a"
+
+
+@pytest.fixture
+def client():
+    with TestClient(service(), base_url="http://127.0.0.1:8765") as one:
+        yield one
+
+
+def opened(answer):
+    assert answer.status_code == 200, answer.text[:500]
+    (length,) = struct.unpack_from("<I", answer.content)
+    return json.loads(answer.content[4 : 4 + length]), np.frombuffer(answer.content[4 + length :], "<f4")
+
+
+def asked(machine="textbook_78x78", *settings):
+    return {"machine": machine, "settings": settings}
+
+
+def test_a_number_set_anew_is_in_all_that_is_shown(client):
+    data, _numbers = opened(client.post("/api/case", json=asked("3d12", "shaft.main.speed=1800 rpm")))
+    assert "1800 rpm" in data["machine"]["made_of"]
+    row = next(row for row in data["machine"]["tabs"][0]["answer"]["rows"] if row["name"] == "mean piston speed")
+    expected = ct.run("3d12", set={"shaft.main.speed": "1800 rpm"}).mean_piston_speed
+    assert float(row["cells"][0]) == pytest.approx(expected[0], rel=1e-3)
+
+
+def test_inputs_are_those_of_the_file(client):
+    data, _numbers = opened(client.post("/api/case", json=asked("3d12")))
+    inputs = {one["path"]: one for table in data["tables"] for one in table["inputs"]}
+    assert inputs["bank.L.mechanism.stroke"]["text"] == "180 mm"
+    assert inputs["bank.L.mechanism.stroke"]["status"] == "published"
+    assert inputs["shaft.main.throws[1]"]["name"] == "throws 2"
+
+
+def test_the_file_keeps_its_comments(client):
+    text = client.post("/api/file", json=asked("3d12", "cylinder.bore=151 mm")).text
+    assert 'bore = "151 mm"' in text
+    assert text.count("#") > 3
+    assert ct.Machine(**__import__("tomllib").loads(text)).cylinder.bore.text == "151 mm"
+
+
+def test_all_that_is_wrong_is_said_with_its_path(client):
+    answer = client.post("/api/case", json=asked("3d12", "cylinder.bore=-3 mm", "gas.pressure_ratio=0.2"))
+    assert answer.status_code == 422
+    assert {one["path"] for one in answer.json()} == {"cylinder.bore", "gas.pressure_ratio"}
+    assert answer.json()[0]["given"] == "-3 mm"
+
+
+@pytest.mark.parametrize("machine", ["/etc/passwd", "../../secret.toml", "secret.toml", "", "x" * 499])
+def test_no_name_becomes_a_file(client, machine, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "secret.toml").write_text(CANARY)
+    answer = client.post("/api/case", json=asked(machine))
+    assert answer.status_code == 422
+    assert CANARY not in answer.text
+    assert answer.json()[0]["path"] == "machine"
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        "shaft.main.speed_curve.file={file}",
+        'shaft.main.speed_curve={{file="{file}"}}',
+        "gas.file={file}",
+        'load={{a={{file="{file}"}}}}',
+        'shaft.main."speed_curve".file={file}',
+        'shaft.main.speed_curve."file"={file}',
+    ],
+)
+def test_no_setting_reads_a_file(client, setting, tmp_path):
+    path = tmp_path / "secret.csv"
+    path.write_text(f"{CANARY}\n{CANARY},1\n")
+    answer = client.post("/api/case", json=asked("3d12", setting.format(file=path)))
+    assert answer.status_code == 422
+    assert CANARY not in answer.text
+
+
+def test_it_answers_to_its_own_name_alone(client):
+    assert client.get("/", headers={"Host": "evil.example"}).status_code == 400
+    assert client.get("/", headers={"Host": "localhost:8765"}).status_code == 200
+    foreign = {"Origin": "http://evil.example"}
+    assert client.post("/api/case", json=asked(), headers=foreign).status_code == 403
+    own = {"Origin": "http://127.0.0.1:8765"}
+    assert client.post("/api/case", json=asked(), headers=own).status_code == 200
+
+
+def test_a_browser_is_forbidden_to_ask_others(client):
+    for path in ("/", "/app.js", "/app.css", "/nothing.js"):
+        policy = client.get(path).headers["Content-Security-Policy"]
+        assert "default-src 'none'" in policy
+        assert "connect-src 'self'" in policy
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"",
+        b"{",
+        b"[" * 20_000,
+        b'{"machine": 3}',
+        b'{"settings": "a=1"}',
+        b'{"settings": [' + b'"a=1",' * 101 + b'"a=1"]}',
+        b'{"machine": "' + b"x" * 501 + b'"}',
+        b'{"machine": "\xff"}',
+        json.dumps(asked("3d12", "=")).encode(),
+        json.dumps(asked("3d12", "a" * 499)).encode(),
+        json.dumps(asked("3d12", "a." * 240 + "b=1")).encode(),
+        json.dumps(asked("3d12", "cylinder.bore=1e999 mm")).encode(),
+    ],
+)
+def test_what_is_malformed_is_refused(client, body):
+    answer = client.post("/api/case", content=body, headers={"Content-Type": "application/json"})
+    assert 400 <= answer.status_code < 500
+
+
+def test_what_is_too_large_is_not_read(client):
+    assert client.post("/api/case", content=b" " * 70_000).status_code == 413
+    assert client.post("/api/case", content=iter([b"{}"])).status_code == 413
+
+
+def test_script_in_a_name_stays_text(client):
+    data, _numbers = opened(client.post("/api/case", json=asked("3d12", "name=<b>x</b>")))
+    assert data["machine"]["name"] == "<b>x</b>"
+
+
+def test_its_interface_is_described(client):
+    schema = client.get("/openapi.json").json()
+    assert {"/api/case", "/api/file", "/api/examples"} <= set(schema["paths"])
+
+
+def test_a_served_file_stands_beside_the_examples(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text('[mechanism]\nkind = "slider_crank"\ncrank_radius = "50 mm"\nrod_length = "130 mm"\n')
+    with TestClient(service(str(path)), base_url="http://localhost:8765") as client:
+        data, _numbers = opened(client.post("/api/case", json=asked("", "mechanism.rod_length=140 mm")))
+        assert {one["text"] for table in data["tables"] for one in table["inputs"]} == {"50 mm", "140 mm"}
