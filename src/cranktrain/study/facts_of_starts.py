@@ -27,7 +27,7 @@ from cranktrain.questions.start.record import RanStart, ReadyStarts, StartEvents
 from cranktrain.questions.start.starting import events_of, reason_of
 from cranktrain.saying.catalogue import entries
 from cranktrain.study.facts_of_rows import FactsOfRows, Gathered
-from cranktrain.study.start import over_time_of_columns, over_time_of_designs
+from cranktrain.study.start import is_over_time, over_time_of_columns, over_time_of_designs
 from cranktrain.transient.equation import Kernels, joined
 from cranktrain.transient.runs import loop_of
 
@@ -158,7 +158,7 @@ def _stages_of_facts(machine: Machine, known: Mapping[type, object], wanted: Seq
         if list(stage.needs.values()) == [StartRun]
         and stage.results
         and stage.applies_to(known) is True
-        and not any("time" in entry.dimensions for entry in entries(stage.gives))
+        and not any(map(is_over_time, entries(stage.gives)))
         and (wanted is None or not set(stage.results).isdisjoint(wanted))
     )
 

@@ -14,6 +14,7 @@ from cranktrain.analysis.stages import lacking, leading_to, stages_over_time
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import Listed, Words, _
 from cranktrain.layout.drive.declared import DeclaredDrive
+from cranktrain.layout.question import Stage
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.motors import DeclaredMotor
@@ -230,7 +231,33 @@ def over_time_of_columns(together: Machine, n_designs: int, outcomes: Sequence[t
     return _over_time(together, {**laid, StartAsked: StartAsked()}, outcomes)
 
 
+def is_over_time(entry: Entry) -> bool:
+    """Whether a quantity of a start is a curve."""
+    return "time" in entry.dimensions
+
+
+def quantities_of_start(machine: Machine) -> dict[str, Entry]:
+    """What a start of a machine tells, by name; none is run.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with the machine, or what it lacks.
+    """
+    refuse_wrong((machine,))
+    stages, absent = _stages(machine, _parts((machine,), StartAsked()))
+    own = {stage.gives for question in machine.questions for stage in question.over_time() if stage.results}
+    kinds = (stage.gives for stage in stages if stage.gives in own and stage.gives.__name__ not in absent)
+    return {entry.name: entry for kind in kinds for entry in entries(kind)}
+
+
 def _over_time(machine: Machine, parts: dict[type, Any], outcomes: Sequence[type]) -> Mapping[type, Any]:
+    stages, absent = _stages(machine, parts)
+    return {**parts, **run_stages(leading_to(stages, outcomes), parts, absent)}
+
+
+def _stages(machine: Machine, parts: dict[type, Any]) -> tuple[Sequence[Stage], Mapping[str, Sequence[Words]]]:
+    """Stages that lead to a start, and which outcomes cannot be made for which lack; refuses what has no start."""
     if DeclaredDrive not in parts:
         raise InputError([Problem("drive", None, _("is missing; a start needs what drives the crank"))])
     stages = stages_over_time(machine, parts)
@@ -238,7 +265,7 @@ def _over_time(machine: Machine, parts: dict[type, Any], outcomes: Sequence[type
     if StartRun.__name__ in absent:
         lacks = Listed(tuple(dict.fromkeys(absent[StartRun.__name__])))
         raise InputError([Problem("drive", None, _("needs what the machine moves: {lacks}", lacks=lacks))])
-    return {**parts, **run_stages(leading_to(stages, outcomes), parts, absent)}
+    return stages, absent
 
 
 def _parts(machines: Sequence[Machine], asked: StartAsked) -> dict[type, Any]:

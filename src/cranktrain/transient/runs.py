@@ -73,8 +73,7 @@ _BETWEEN_CALLS = 1 / 30
 """Between two tellings. [s]"""
 
 
-@record
-class Event:
+class Event(NamedTuple):
     """Something on the way: one of `REVERSAL`, …, at a time [s], crank angle [rad] and speed [rad/s]."""
 
     kind: int

@@ -1,6 +1,6 @@
 """What became of a start in numbers: how long it took, what the motor gave, where the energy went; of a stroke more."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import fields
 from itertools import pairwise
 from typing import NamedTuple
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cranktrain.language import N_
 from cranktrain.motion import Array
-from cranktrain.questions.start.record import StartEvent, StartRun
+from cranktrain.questions.start.record import StartRun
 from cranktrain.questions.start.starting import EVENTS
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CLUTCHED_DRIVES as _CLUTCHED
@@ -144,16 +144,11 @@ def start_facts(run: StartRun) -> StartFacts:
             run.whole_time,
             {one.name: getattr(run.whole, one.name) for one in fields(run.whole)},
             np.zeros(1, dtype=np.intp),
-            np.array([n_reversals(run.events)], dtype=np.float64),
+            np.array([sum(event.sort == EVENTS[REVERSAL] for event in run.events)], dtype=np.float64),
             np.array([run.residual]),
             np.array([run.supplied]),
         )
     )
-
-
-def n_reversals(events: Iterable[StartEvent]) -> int:
-    """How often the crank turned round."""
-    return sum(event.sort == EVENTS[REVERSAL] for event in events)
 
 
 def facts_in_row(runs: RunsInRow) -> StartFacts:

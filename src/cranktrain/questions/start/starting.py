@@ -21,7 +21,7 @@ from cranktrain.saying.wording import number
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
 from cranktrain.transient.reduced import ReducedMachine
-from cranktrain.transient.runs import REASONS, Progress, TransientRun, Wanted, wanted
+from cranktrain.transient.runs import REASONS, Event, Progress, TransientRun, Wanted, wanted
 from cranktrain.transient.step import N_STATE
 
 _NEARLY = 0.98
@@ -309,18 +309,27 @@ def _reason(ran: RanStart) -> str:
 
 def events_of(ran: RanStart) -> Iterator[StartEvent]:
     """What happened on the way, by time; a crank that stops and is held does not turn round."""
-    case, runs = ran.case, ran.runs
+    for start, event in _marked(ran.runs):
+        yield StartEvent(
+            NEARLY_STEADY if event.kind == endings.SPEED_PASSED and ran.case.is_to_settle else EVENTS[event.kind],
+            float(start + event.time),
+            float(event.angle - ran.case.zero),
+            float(event.speed),
+        )
+
+
+def reversals_of(ran: RanStart) -> int:
+    """How often the crank turned round."""
+    return sum(event.kind == endings.REVERSAL for _start, event in _marked(ran.runs))
+
+
+def _marked(runs: Sequence[tuple[PartOfRun, TransientRun]]) -> Iterator[tuple[float, Event]]:
+    """What was noted on the way, behind the time from which its own counts. [s]"""
     held = {span.start + event.time for span, found in runs for event in found.of_kind(endings.HELD)}
     for span, found in runs:
         for event in found.events:
-            if event.kind == endings.REVERSAL and span.start + event.time in held:
-                continue
-            yield StartEvent(
-                NEARLY_STEADY if event.kind == endings.SPEED_PASSED and case.is_to_settle else EVENTS[event.kind],
-                float(span.start + event.time),
-                float(event.angle - case.zero),
-                float(event.speed),
-            )
+            if event.kind != endings.REVERSAL or span.start + event.time not in held:
+                yield span.start, event
 
 
 def _spans(case: StartCase) -> Iterator[PartOfRun]:

@@ -20,6 +20,9 @@ from cranktrain.study.sweep.compiled import designs_at_once, facts_compiled, way
 from cranktrain.study.sweep.designs import DesignsInColumns, designs_in_columns
 from cranktrain.study.sweep.varied import SweptDesigns
 
+_STARTS_AT_ONCE = 4 * MOST_AT_ONCE
+"""Designs that are judged together before they start."""
+
 
 @record
 class FactsOfSweep:
@@ -46,6 +49,8 @@ class FactsOfSweep:
     @property
     def n_together(self) -> int:
         """How many designs cost less together than one by one."""
+        if self.over_time:
+            return _STARTS_AT_ONCE
         way = self.way
         return designs_at_once(way) if isinstance(way, CompiledWay) else MOST_AT_ONCE
 
