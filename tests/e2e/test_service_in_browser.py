@@ -1,0 +1,161 @@
+"""The page of the service, in a real browser: numbers are changed, what is wrong stands beside them, nothing is lost."""
+
+import re
+import subprocess
+import sys
+import time
+import tomllib
+from urllib.request import urlopen
+
+import pytest
+from tests.browser import Watched, browser
+from tests.e2e.conftest import environment
+
+import cranktrain as ct
+
+REFUSED = "the server responded with a status of 422"
+"""What a browser says of its own where a number is wrong."""
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory):
+    pytest.importorskip("fastapi")
+    command = [sys.executable, "-m", "cranktrain", "web", "burning_cylinder", "--no-browser"]
+    folder = tmp_path_factory.mktemp("served")
+    with subprocess.Popen(command, cwd=folder, env=environment(), stdout=subprocess.PIPE, encoding="utf-8") as served:
+        yield re.search(r"http://\S+/", served.stdout.readline())[0]
+        served.terminate()
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    with browser() as one:
+        yield one
+
+
+@pytest.fixture
+def opened(chromium, address):
+    context = chromium.new_context(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
+    found = []
+
+    def open_page(place=""):
+        found.append(Watched(context, address + place))
+        return found[-1].page
+
+    yield open_page
+    assert [fault for one in found for fault in one.faults if REFUSED not in fault] == []
+    context.close()
+
+
+def row(page, name):
+    return page.locator(".answer tr", has_text=name).first.locator(".number").all_inner_texts()
+
+
+def settled(page, name, value):
+    """Wait until a row says a value."""
+    for _wait in range(200):
+        if row(page, name)[:1] == [value]:
+            return
+        page.wait_for_timeout(25)
+    assert row(page, name)[:1] == [value]
+
+
+def typed(page, label, value):
+    field = page.get_by_label(label, exact=True).first
+    field.fill(value)
+    field.press("Enter")
+    return field
+
+
+def test_a_number_changes_what_is_shown_and_undo_brings_it_back(opened):
+    page = opened("#machine=3d12&phi=0")
+    settled(page, "mean piston speed", "9.000")
+    typed(page, "speed", "1800 rpm")
+    expected = ct.run("3d12", set={"shaft.main.speed": "1800 rpm"}).mean_piston_speed[0]
+    settled(page, "mean piston speed", f"{expected:.2f}")
+    page.locator("h1").click()
+    page.keyboard.press("Control+z")
+    settled(page, "mean piston speed", "9.000")
+    page.keyboard.press("Control+Shift+z")
+    settled(page, "mean piston speed", f"{expected:.2f}")
+
+
+def test_a_link_gives_the_same_machine_with_the_same_numbers(opened):
+    page = opened("#machine=textbook_78x78&phi=30")
+    typed(page, "stroke", "80 mm")
+    settled(page, "stroke", "80.00")
+    again = opened(page.url[page.url.index("#") :])
+    settled(again, "stroke", "80.00")
+    assert again.locator("output.angle").inner_text() == "φ = 30°"
+
+
+def test_a_wrong_number_is_said_beside_it_and_the_page_stays(opened):
+    page = opened("#machine=3d12&phi=0")
+    settled(page, "stroke", "180.0")
+    field = typed(page, "bore", "-3 mm")
+    said = page.locator(f"#{field.get_attribute('aria-describedby')}")
+    said.get_by_text("must be more than 0 mm").wait_for()
+    assert field.get_attribute("aria-invalid") == "true"
+    assert row(page, "stroke")[0] == "180.0"
+    typed(page, "bore", "151 mm")
+    for _wait in range(100):
+        if field.get_attribute("aria-invalid") is None:
+            break
+        page.wait_for_timeout(25)
+    assert said.inner_text() == ""
+
+
+def test_arrow_keys_step_a_number_and_the_arrow_back_undoes_it(opened):
+    page = opened("#machine=textbook_78x78&phi=0")
+    field = page.get_by_label("stroke", exact=True).first
+    settled(page, "stroke", "78.00")
+    field.focus()
+    for key, expected in (("ArrowUp", "79.00"), ("Shift+ArrowUp", "89.00"), ("Alt+ArrowDown", "88.90")):
+        page.keyboard.press(key)
+        settled(page, "stroke", expected)
+    page.locator(".changed .back").first.click()
+    settled(page, "stroke", "78.00")
+
+
+def test_another_machine_and_the_tab_that_it_has(opened):
+    page = opened("#phi=0")
+    assert "cylinder" in page.locator("h1").inner_text().lower()
+    page.locator("select").select_option("jaw_crusher")
+    page.locator("h1", has_text="jaw crusher").wait_for()
+    page.locator(".tabs button", has_text="Loads").click()
+    typed(page, "speed", "300 rpm")
+    page.locator(".head p", has_text="300 rpm").wait_for()
+    assert page.locator(".tabs button[aria-selected=true]").inner_text() == "Loads"
+
+
+def test_the_machine_file_is_saved_with_its_comments(opened):
+    page = opened("#machine=3d12&phi=0&cylinder.bore=151+mm")
+    page.locator("button", has_text="Save").wait_for()
+    with page.expect_download() as download:
+        page.locator("button", has_text="Save").click()
+    assert download.value.suggested_filename == "3d12.toml"
+    text = download.value.path().read_text(encoding="utf-8")
+    assert tomllib.loads(text)["cylinder"]["bore"] == "151 mm"
+    assert "# " in text
+
+
+def test_only_the_last_of_many_edits_is_shown(opened):
+    page = opened("#machine=3d12&phi=0")
+    settled(page, "mean piston speed", "9.000")
+    field = page.get_by_label("speed", exact=True).first
+    field.focus()
+    for _edit in range(8):
+        page.keyboard.press("Shift+ArrowUp")
+    expected = ct.run("3d12", set={"shaft.main.speed": "1580 rpm"}).mean_piston_speed[0]
+    settled(page, "mean piston speed", f"{expected:.3f}")
+
+
+def test_it_answers_soon(tmp_path):
+    since = time.monotonic()
+    command = [sys.executable, "-m", "cranktrain", "web", "--no-browser"]
+    with subprocess.Popen(command, cwd=tmp_path, env=environment(), stdout=subprocess.PIPE, encoding="utf-8") as served:
+        address = re.search(r"http://\S+/", served.stdout.readline())[0]
+        with urlopen(address) as answer:  # it waits: the port is bound before the service is there
+            assert b'id="page"' in answer.read()
+        assert time.monotonic() - since < 3.0
+        served.terminate()
