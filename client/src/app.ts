@@ -3,8 +3,8 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 
-import { askedIn, remember, withAsked, type Asked } from "./address.ts";
-import type { PageCase } from "./data.ts";
+import { askedIn, placeIn, remember, withAsked, type Asked } from "./address.ts";
+import type { PageCase, PageDoubts, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Form, type Problem } from "./form.ts";
 import { revived } from "./numbers.ts";
@@ -98,7 +98,7 @@ class App {
     const asked = this.steps.now;
     const late = setTimeout(() => { this.view.classList.add("computing"); }, PATIENCE);
     try {
-      const answer = await ask("api/case", asked, signal);
+      const answer = await ask("api/case", asked, signal, placeIn(location.hash).tab);
       const found = answer.ok ? opened(await answer.arrayBuffer()) : ((await answer.json()) as Problem[]);
       if (signal.aborted) return;
       if (Array.isArray(found)) this.blame(found as Problem[]);
@@ -129,7 +129,24 @@ class App {
     this.form.fill(found.tables, asked.settings);
     this.form.blame([]);
     this.end();
-    this.end = showPage(found.machine, this.view);
+    const { signal } = this.asking;
+    const more = (where: string, tab: number): Promise<unknown> => this.more(where, asked, tab, signal);
+    this.end = showPage(found.machine, this.view, {
+      tab: async (place) => (await more("api/tab", place)) as TabContent,
+      doubts: async () => (await more("api/doubts", 0)) as PageDoubts,
+    });
+  }
+
+  /** Ask for more of what is shown; of what is shown no longer nothing comes. */
+  private async more(where: string, asked: Asked, tab: number, signal: AbortSignal): Promise<unknown> {
+    try {
+      const answer = await ask(where, asked, signal, tab);
+      if (answer.ok) return opened(await answer.arrayBuffer());
+      this.blame((await answer.json()) as Problem[]);
+    } catch (error) {
+      if (!signal.aborted) this.blame([{ path: "", given: null, allowed: String(error), repair: null }]);
+    }
+    return new Promise(() => undefined);
   }
 
   private blame(problems: readonly Problem[]): void {
@@ -148,17 +165,17 @@ class App {
   }
 }
 
-async function ask(where: string, asked: Asked, signal: AbortSignal): Promise<Response> {
+async function ask(where: string, asked: Asked, signal: AbortSignal, tab = 0): Promise<Response> {
   const settings = [...asked.settings].map(([path, text]) => `${path}=${text}`);
-  const body = JSON.stringify({ machine: asked.machine, settings });
+  const body = JSON.stringify({ machine: asked.machine, settings, tab });
   return fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal });
 }
 
-/** Read a case: a length, so much JSON, and numbers. */
-function opened(answer: ArrayBuffer): PageCase {
+/** Read data: a length, so much JSON, and numbers. */
+function opened(answer: ArrayBuffer): unknown {
   const length = new DataView(answer).getUint32(0, true);
   const data: unknown = JSON.parse(new TextDecoder().decode(new Uint8Array(answer, 4, length)));
-  return revived(data, new Float32Array(answer, 4 + length)) as PageCase;
+  return revived(data, new Float32Array(answer, 4 + length));
 }
 
 async function start(): Promise<void> {

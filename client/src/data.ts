@@ -20,11 +20,9 @@ export interface ShownMachine {
   readonly is: "ShownMachine";
   readonly name: string;
   readonly made_of: string;
-  readonly to_mind: readonly (string)[];
   readonly cycle: Float;
-  readonly speed: Float;
   readonly tabs: readonly (PageTab)[];
-  readonly checks: readonly (PageCheck)[];
+  readonly doubts: PageDoubts | null;
   readonly drawing: MachineDrawing;
   readonly words: PageWords;
 }
@@ -32,6 +30,11 @@ export interface ShownMachine {
 export interface PageTab {
   readonly is: "PageTab";
   readonly title: string;
+  readonly content: TabContent | null;
+}
+
+export interface TabContent {
+  readonly is: "TabContent";
   readonly answer: WrittenGroup;
   readonly sheets: readonly (PageSheet)[];
 }
@@ -217,6 +220,12 @@ export interface RulerMark {
   readonly angle: Float;
   readonly is_top: boolean;
   readonly word: string;
+}
+
+export interface PageDoubts {
+  readonly is: "PageDoubts";
+  readonly to_mind: readonly (string)[];
+  readonly checks: readonly (PageCheck)[];
 }
 
 export interface PageCheck {

@@ -2,7 +2,7 @@
 
 import { placeIn, remember, withPlace } from "./address.ts";
 import { curves, lineSample, type Shown } from "./curves.ts";
-import type { ShownMachine, PageRuler, PageSheet, PageTab } from "./data.ts";
+import type { PageDoubts, PageRuler, PageSheet, ShownMachine, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Mechanism } from "./mechanism.ts";
 import { number } from "./numbers.ts";
@@ -19,8 +19,14 @@ const WIDE = 1.8;
 
 type Part = PageSheet["columns"][number][number];
 
+/** Where more of a page is from, that it did not come with. */
+export interface Source {
+  readonly tab: (place: number) => Promise<TabContent>;
+  readonly doubts: () => Promise<PageDoubts>;
+}
+
 /** Show a machine in an element; give what ends that. */
-export function showPage(page: ShownMachine, into: HTMLElement): () => void {
+export function showPage(page: ShownMachine, into: HTMLElement, source?: Source): () => void {
   const { words } = page;
   const ended = new AbortController();
   const mechanism = new Mechanism(page.drawing, words.drawing);
@@ -37,13 +43,14 @@ export function showPage(page: ShownMachine, into: HTMLElement): () => void {
     slider.value = `${angle}`;
     reading.textContent = `φ = ${isPlaying ? Math.round(angle) : +angle.toFixed(1)}°`;
     const word = isPlaying ? words.stop : words.play;
-    if (!isPlaying || play.title !== word) remember(withPlace(location.hash, { tab: chosen, angle: isPlaying ? NaN : angle }));
+    if (!isPlaying || play.title !== word) keep();
     if (play.title !== word) {
       play.title = word;
       play.setAttribute("aria-label", word);
       play.textContent = isPlaying ? "❚❚" : "▶";
     }
   });
+  const keep = (): void => { remember(withPlace(location.hash, { tab: chosen, angle: turning.isPlaying ? NaN : turning.angle })); };
   const turned = (angle: number): void => { turning.stop(); turning.stand(angle); };
   const step = (by: number, word: string): HTMLButtonElement => {
     const button = html("button", { type: "button", title: word, "aria-label": word }, by < 0 ? "−1°" : "+1°");
@@ -60,18 +67,31 @@ export function showPage(page: ShownMachine, into: HTMLElement): () => void {
     button.addEventListener("click", () => { choose(place); });
     return button;
   });
+  const contents: (TabContent | null)[] = page.tabs.map((tab) => tab.content);
   const choose = (place: number): void => {
-    const tab = page.tabs[place];
-    if (!tab) return;
+    if (!page.tabs[place]) return;
     chosen = place;
     tabs.forEach((button, other) => {
       button.setAttribute("aria-selected", `${other === place}`);
       button.tabIndex = other === place ? 0 : -1;
     });
     right.setAttribute("aria-labelledby", `tab-${place}`);
+    keep();
+    right.classList.toggle("computing", !contents[place]);
+    const content = contents[place];
+    if (content) fill(content);
+    else {
+      void source?.tab(place).then((found) => {
+        contents[place] = found;
+        if (chosen === place && !ended.signal.aborted) fill(found);
+      });
+    }
+  };
+  const fill = (content: TabContent): void => {
+    right.classList.remove("computing");
     shown = [];
-    left.replaceChildren(answer(tab.answer));
-    right.replaceChildren(...sheetsOf(tab, turned, shown));
+    left.replaceChildren(answer(content.answer));
+    right.replaceChildren(...sheetsOf(content, turned, shown));
     for (const one of shown) one.fit();
     turning.stand(turning.angle);
   };
@@ -87,6 +107,15 @@ export function showPage(page: ShownMachine, into: HTMLElement): () => void {
     tabs[next]?.focus();
   });
 
+  const toMind = html("div", {});
+  const checked = html("div", {});
+  const doubt = (found: PageDoubts): void => {
+    toMind.replaceChildren(...minded(found.to_mind));
+    checked.replaceChildren(checks(found.checks, words.checks));
+  };
+  if (page.doubts) doubt(page.doubts);
+  else void source?.doubts().then((found) => { if (!ended.signal.aborted) doubt(found); });
+
   into.replaceChildren(
     html("header", { class: "head" }, html("h1", {}, page.name || page.made_of), ...(page.name ? [html("p", {}, page.made_of)] : [])),
     list,
@@ -99,8 +128,8 @@ export function showPage(page: ShownMachine, into: HTMLElement): () => void {
         html("p", { class: "keys" }, words.keys),
         ...(page.drawing.left_out.length ? [html("p", { class: "note" }, `${words.left_out} ${page.drawing.left_out.join(", ")}`)] : []),
       ),
-      html("section", { class: "left" }, left, checks(page.checks, words.checks)),
-      html("section", { class: "right" }, ...minded(page.to_mind), right),
+      html("section", { class: "left" }, left, checked),
+      html("section", { class: "right" }, toMind, right),
     ),
   );
   dragged(mechanism, turning);
@@ -170,7 +199,7 @@ function dragged(mechanism: Mechanism, turning: Turning): void {
   for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, () => { before = NaN; });
 }
 
-function sheetsOf(tab: PageTab, turned: (angle: number) => void, shown: Shown[]): HTMLElement[] {
+function sheetsOf(tab: TabContent, turned: (angle: number) => void, shown: Shown[]): HTMLElement[] {
   return tab.sheets.map((sheet) => {
     const columns = sheet.columns.filter((parts) => parts.length).map((parts) => html("div", { class: "column" }, ...parts.map((part) => drawn(part, turned, shown))));
     const heads = sheet.title ? [html("h2", {}, said(sheet.title))] : [];

@@ -22,7 +22,6 @@ PLACES = {"argmax", "argmin", "nanargmax", "nanargmin"}
 EXTREMES = {"max", "min", "nanmax", "nanmin"}
 
 EXEMPT = {
-    "cli/screen/groups.py": "the longest list of members",
     "cli/screen/facts.py": "the longest list of members",
     "numerics/pieces.py": "has the rule for angles: of alike peaks the first in the period",
     "quantities/choice.py": "how often a unit is used, and which unit",

@@ -1,10 +1,11 @@
-"""The page of the service, in a real browser: numbers are changed, what is wrong stands beside them, nothing is lost."""
+"""The page of the service in a real browser: numbers are changed, what is wrong stands beside them, nothing is lost."""
 
 import re
 import subprocess
 import sys
 import time
 import tomllib
+from contextlib import contextmanager
 from urllib.request import urlopen
 
 import pytest
@@ -17,14 +18,22 @@ REFUSED = "the server responded with a status of 422"
 """What a browser says of its own where a number is wrong."""
 
 
+@contextmanager
+def served(folder, *asked):
+    """Start the service in a folder; give where it is."""
+    command = [sys.executable, "-m", "cranktrain", "web", *asked, "--no-browser"]
+    process = subprocess.Popen(command, cwd=folder, env=environment(), stdout=subprocess.PIPE, encoding="utf-8")
+    try:
+        yield re.search(r"http://\S+/", process.stdout.readline())[0]
+    finally:
+        process.terminate()
+        process.communicate(timeout=20)
+
+
 @pytest.fixture(scope="module")
 def address(tmp_path_factory):
-    pytest.importorskip("fastapi")
-    command = [sys.executable, "-m", "cranktrain", "web", "burning_cylinder", "--no-browser"]
-    folder = tmp_path_factory.mktemp("served")
-    with subprocess.Popen(command, cwd=folder, env=environment(), stdout=subprocess.PIPE, encoding="utf-8") as served:
-        yield re.search(r"http://\S+/", served.stdout.readline())[0]
-        served.terminate()
+    with served(tmp_path_factory.mktemp("served"), "burning_cylinder") as one:
+        yield one
 
 
 @pytest.fixture(scope="module")
@@ -152,10 +161,7 @@ def test_only_the_last_of_many_edits_is_shown(opened):
 
 def test_it_answers_soon(tmp_path):
     since = time.monotonic()
-    command = [sys.executable, "-m", "cranktrain", "web", "--no-browser"]
-    with subprocess.Popen(command, cwd=tmp_path, env=environment(), stdout=subprocess.PIPE, encoding="utf-8") as served:
-        address = re.search(r"http://\S+/", served.stdout.readline())[0]
-        with urlopen(address) as answer:  # it waits: the port is bound before the service is there
+    with served(tmp_path) as address:
+        with urlopen(address, timeout=20) as answer:
             assert b'id="page"' in answer.read()
         assert time.monotonic() - since < 3.0
-        served.terminate()

@@ -43,7 +43,7 @@ def test_fewer_designs_go_by_run():
     few = combined_designs(cylinder(), {"rod_length": "120..200 mm:49", "speed": "1000..4000 rpm:20"})
     assert FactsOfSweep(cylinder(), few, tuple(FACTS)).n_together == 64
     over_time = combined_designs(cylinder(), {"rod_length": "120..200 mm:50", "speed": "1000..4000 rpm:20"})
-    assert FactsOfSweep(cylinder(), over_time, tuple(FACTS), over_time=True).n_together == 64
+    assert FactsOfSweep(cylinder(), over_time, tuple(FACTS), over_time=True).n_together == 256
 
 
 def test_impossible_designs_have_no_number():

@@ -1,30 +1,28 @@
 """The result: every quantity by name, its facts, checks, what is missing, and sentences that answer."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
+from cranktrain.analysis.answer import answer_kinds, answer_titles, rows_under
 from cranktrain.analysis.dimensions import Titled
 from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.stages import Missing, every_stage
 from cranktrain.analysis.unused import Unused, sentences
 from cranktrain.brief import brief
 from cranktrain.faces import face
-from cranktrain.grouping import grouped
 from cranktrain.language import Listed, Message, Words, _
 from cranktrain.layout.crank_angle import CrankAngle
-from cranktrain.layout.question import needs_of
 from cranktrain.machine import Machine
-from cranktrain.mechanisms import KINDS
 from cranktrain.motion import Array
 from cranktrain.quantities import shown, shown_as_in
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.saying.checks import Check, Checked, Flagged
-from cranktrain.saying.rows import AnswerLine, Telling
+from cranktrain.saying.rows import AnswerLine
 from cranktrain.saying.run import Axis, BehindQuantity, Run
 from cranktrain.saying.wording import in_print
 
@@ -107,9 +105,7 @@ class Result(Run):
 
     def find_answer(self) -> None:
         """Find now what the answer rests on: its rows, and whatever may check or warn."""
-        functions = (rows_of for _title, each in self._row_functions() for rows_of in each)
-        asked = {kind for function in functions for kind in needs_of(function).types.values()}
-        there = self.computed.kinds
+        asked, there = answer_kinds(self), self.computed.kinds
         self.computed.find(kind for kind in there if kind in asked or issubclass(kind, Checked | Flagged))
 
     @property
@@ -246,26 +242,10 @@ class Result(Run):
 
         Questions with one title stand together; what kinds of mechanisms have of their own, with the first question.
         """
-        for title, functions in self._row_functions():
-            rows = [row for rows_of in functions for row in self._rows(rows_of, design) if row.says]
+        for title in answer_titles(self):
+            rows = rows_under(self, title, design)
             if rows:
                 yield _(title), rows
-
-    def _row_functions(self) -> Iterator[tuple[str, list[Callable[..., Iterable[AnswerLine]]]]]:
-        """Give what says the lines of the answer, by the titles under which it says them."""
-        machine = self.machines[0]
-        own = tuple(rows for kind in machine.kinds for rows in KINDS.named(kind).rows)
-        for title, alike in grouped((question.title, question) for question in machine.questions).items():
-            each = [(*question.rows, *(own if question is machine.questions[0] else ())) for question in alike]
-            yield title, [rows_of for functions in each for rows_of in functions]
-
-    def _rows(self, function: Callable[..., Iterable[AnswerLine]], design: int) -> Iterable[AnswerLine]:
-        """Rows of one function; none where a result that it asks for is not there."""
-        needs = needs_of(function)
-        found: dict[str, object] = {name: self.get(kind) for name, kind in needs.types.items()}
-        if any(outcome is None and name not in needs.optional for name, outcome in found.items()):
-            return ()
-        return function(Telling(self.labels, self.titles, design, self.cycle), **found)
 
     def answer_rows(self) -> Iterator[tuple[Words, list[AnswerLine]]]:
         """Lines of the answer, of several designs those of the first."""

@@ -12,6 +12,8 @@ from cranktrain.language import said as _
 
 _HOST, _PORT, _MOST_PORTS = "127.0.0.1", 8765, 20
 """First port, and how many behind it are tried where others have it."""
+_LAST = 1
+"""How long it waits at its end for browsers that hold on to it. [s]"""
 
 
 def serve(file: str | None, port: int | None, *, opens: bool) -> None:
@@ -39,7 +41,8 @@ def serve(file: str | None, port: int | None, *, opens: bool) -> None:
     uvicorn = imported("uvicorn", "web")
     from cranktrain.web.service import service
 
-    server = uvicorn.Server(uvicorn.Config(service(file), log_level="error", access_log=False))
+    settings = uvicorn.Config(service(file), log_level="error", access_log=False, timeout_graceful_shutdown=_LAST)
+    server = uvicorn.Server(settings)
     print(_("the page is at {address}; Ctrl-C ends it", address=address), flush=True)
     if opens:
         threading.Timer(0.3, webbrowser.open, [address]).start()
@@ -53,6 +56,7 @@ def _bound(port: int | None) -> socket.socket:
         one.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             one.bind((_HOST, number))
+            one.listen()  # a browser that is quicker than the service waits for it
         except (OSError, OverflowError):
             one.close()
         else:

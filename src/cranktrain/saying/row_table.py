@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from cranktrain.grouping import grouped
 from cranktrain.language import Words
+from cranktrain.numerics.ties import largest_of
 from cranktrain.record import record
 from cranktrain.saying.amounts import Written, filled, written
 from cranktrain.saying.row_words import by_name, holders, name_of, with_values
@@ -35,7 +36,7 @@ def member_columns(rows: Sequence[Mapping[str, str]]) -> MemberColumns:
     """
     if not rows:
         return MemberColumns()
-    members = list(max(rows, key=len))
+    members = list(largest_of(rows, len))
     together = [row for row in rows if set(row) <= set(members)]
     same = grouped((tuple(row.get(member, "") for row in together), member) for member in members)
     if not 1 < len(same) <= _MOST_COLUMNS:

@@ -1,15 +1,21 @@
 """A machine on a page with its numbers, any of which may be set anew: what is asked, and what is sent."""
 
-from cranktrain.io.description import units_of
+import os
+from functools import lru_cache
+from typing import NamedTuple
+
+from cranktrain.analysis import Result
 from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of, read_machine
 from cranktrain.language import Words, _
 from cranktrain.one_line import one_line
 from cranktrain.paths import parts_of
-from cranktrain.quantities import shown_as_in
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.packed import Packed, packed
-from cranktrain.web.page import ShownMachine, machine_page
+from cranktrain.web.page import ShownMachine, machine_page, page_doubts, tab_content, tab_titles
+
+_MOST_KEPT = 4
+"""Machines of which what was computed is kept for what the same page asks next."""
 
 
 @record
@@ -71,24 +77,53 @@ class PageCase:
     words: CaseWords
 
 
-def packed_case(source: str, settings: tuple[str, ...]) -> Packed:
-    """Compute a machine with some numbers set anew, and pack all that a page shows of it.
+class Case(NamedTuple):
+    """A machine file, or the name of an example, and numbers set anew, as `read_machine` takes both."""
 
-    Parameters
-    ----------
-    source : str
-        A machine file, or the name of an example.
-    settings : tuple of str
-        As `read_machine` takes them.
+    source: str
+    settings: tuple[str, ...] = ()
 
-    Raises
-    ------
-    InputError
-        With all that is wrong.
-    """
-    file = read_machine(source, settings, partial=True)
-    with shown_as_in(units_of(file.machine)):
-        return packed(PageCase(machine_page(computed(file, partial=True)), _tables(file), _case_words()))
+    def packed_page(self, tab: int) -> Packed:
+        """Compute what a page shows with a tab open, and pack it.
+
+        Raises
+        ------
+        InputError
+            With all that is wrong with the machine.
+        """
+        file, result = self._computed()
+        with result.in_its_units():
+            return packed(PageCase(machine_page(result, tab), _tables(file), _case_words()))
+
+    def packed_tab(self, tab: int) -> Packed:
+        """Compute what stands on a tab, from 0, or on the last where there are fewer, and pack it; as `packed_page`."""
+        _file, result = self._computed()
+        titles = tab_titles(result)
+        with result.in_its_units():
+            return packed(tab_content(result, titles[min(tab, len(titles) - 1)]))
+
+    def packed_doubts(self) -> Packed:
+        """Compute what is to be minded, and all checks, and pack them; as `packed_page`."""
+        _file, result = self._computed()
+        with result.in_its_units():
+            return packed(page_doubts(result))
+
+    @property
+    def text(self) -> str:
+        """The machine file with the numbers in place, its comments where they were; what is wrong is an InputError."""
+        return read_machine(self.source, self.settings, partial=True).document.text
+
+    def _computed(self) -> tuple[MachineFile, Result]:
+        """Read and compute; of what a page asks one after the other each part is computed once."""
+        written = os.stat(self.source).st_mtime_ns if os.path.exists(self.source) else 0  # noqa: PTH110, PTH116 - NUL
+        return _kept(self, written)
+
+
+@lru_cache(_MOST_KEPT)
+def _kept(case: Case, _written: int) -> tuple[MachineFile, Result]:
+    """Read and compute; quantities are found when they are asked for."""
+    file = read_machine(case.source, case.settings, partial=True)
+    return file, computed(file, partial=True)
 
 
 def _case_words() -> CaseWords:
@@ -101,17 +136,6 @@ def _case_words() -> CaseWords:
         save=_("Save the machine file"),
         as_in_file=_("As in the file"),
     )
-
-
-def text_of_case(source: str, settings: tuple[str, ...]) -> str:
-    """Give the machine file with some numbers set anew, its comments where they were.
-
-    Raises
-    ------
-    InputError
-        With all that is wrong.
-    """
-    return read_machine(source, settings, partial=True).document.text
 
 
 def _tables(file: MachineFile) -> tuple[NumbersOfTable, ...]:

@@ -7,16 +7,15 @@ from typing import Any, get_type_hints
 import numpy as np
 
 from cranktrain.analysis import Result
+from cranktrain.analysis.answer import answer_titles, rows_under
 from cranktrain.analysis.minded import to_mind
 from cranktrain.errors import InputError
-from cranktrain.grouping import grouped
 from cranktrain.io.title import headed
 from cranktrain.language import Words, _
 from cranktrain.layout.question import Question
 from cranktrain.panels.drawing import MachineDrawing
 from cranktrain.panels.drawing_of_machine import machine_drawing
 from cranktrain.panels.parts import Sheet
-from cranktrain.panels.picture import Picture
 from cranktrain.panels.plotted import plot_of
 from cranktrain.panels.shapes import Panel, as_shown
 from cranktrain.panels.sheets import pictures_of
@@ -46,12 +45,18 @@ class PageTab:
     Attributes
     ----------
     title : Words
-    answer : WrittenGroup
-        Its rows; none where nothing can be said.
-    sheets : tuple of PageSheet
+    content : TabContent or None
+        None of a tab that was not asked for.
     """
 
     title: Words
+    content: "TabContent | None"
+
+
+@record
+class TabContent:
+    """Rows of a tab, none where nothing can be said, and its sheets."""
+
     answer: WrittenGroup
     sheets: tuple[PageSheet, ...]
 
@@ -63,6 +68,14 @@ class PageCheck:
     sentence: Words
     verdict: Words
     holds: bool | None
+
+
+@record
+class PageDoubts:
+    """What is to be minded of a machine, and its checks: of these everything has to be computed."""
+
+    to_mind: tuple[Words, ...]
+    checks: tuple[PageCheck, ...]
 
 
 @record
@@ -103,14 +116,11 @@ class ShownMachine:
     ----------
     name, made_of : str
         Which machine it is.
-    to_mind : tuple of Words
-        What is to be minded of it.
     cycle : float
         Crank angle at which all begins again. [deg]
-    speed : float
-        Of the main shaft, 0 of one that is not said. [rad/s]
     tabs : tuple of PageTab
-    checks : tuple of PageCheck
+    doubts : PageDoubts or None
+        None where they were not asked for.
     drawing : MachineDrawing
         Its first throw over the cycle, both ends included.
     words : PageWords
@@ -118,22 +128,22 @@ class ShownMachine:
 
     name: str
     made_of: str
-    to_mind: tuple[Words, ...]
     cycle: float
-    speed: float
     tabs: tuple[PageTab, ...]
-    checks: tuple[PageCheck, ...]
+    doubts: PageDoubts | None
     drawing: MachineDrawing
     words: PageWords
 
 
-def machine_page(result: Result) -> ShownMachine:
+def machine_page(result: Result, tab: int | None = None) -> ShownMachine:
     """Collect what a page shows of a machine.
 
     Parameters
     ----------
     result : Result
         Of one machine, with everything that it allows.
+    tab : int, optional
+        Which tab alone has its content, from 0, or the last where there are fewer; all tabs unless given, and doubts.
 
     Returns
     -------
@@ -142,15 +152,17 @@ def machine_page(result: Result) -> ShownMachine:
     machine = result.machines[0]
     name, made_of = headed(result)
     throw = first_throw(machine)
-    speed = machine.main_shaft.speed
+    titles = tab_titles(result)
+    asked = range(len(titles)) if tab is None else (min(tab, len(titles) - 1),)
     return ShownMachine(
         name=name,
         made_of=made_of,
-        to_mind=tuple(sentence for of_sort in to_mind(result) for sentence in of_sort),
         cycle=result.cycle,
-        speed=0.0 if speed is None else speed.si,
-        tabs=tuple(_tabs(result)),
-        checks=tuple(_checks(result)),
+        tabs=tuple(
+            PageTab(_(title), tab_content(result, title) if place in asked else None)
+            for place, title in enumerate(titles)
+        ),
+        doubts=page_doubts(result) if tab is None else None,
         drawing=machine_drawing(
             machine, np.arange(0.0, result.cycle + _STEP / 2, _STEP), mechanism=throw[0].name if throw else None
         ),
@@ -158,20 +170,35 @@ def machine_page(result: Result) -> ShownMachine:
     )
 
 
-def _tabs(result: Result) -> Iterator[PageTab]:
-    """Give the tabs of questions that answer something, in the order in which people ask them."""
-    rows = {str(title): lines for title, lines in result.answer_rows()}
-    questions = grouped((question.title, question) for question in result.machines[0].questions)
-    for title, alike in questions.items():
-        said = _(title)
-        sheets = tuple(_sheets(result, alike))
-        if sheets or str(said) in rows:
-            yield PageTab(said, written_group(said, rows.get(str(said), ())), sheets)
+def tab_titles(result: Result) -> tuple[str, ...]:
+    """Titles of questions that have an answer or a picture, in the order in which people ask them."""
+    with_rows = answer_titles(result)
+    titles = dict.fromkeys(question.title for question in result.machines[0].questions)
+    return tuple(title for title in titles if title in with_rows or any(_makers(result, title)))
 
 
-def _sheets(result: Result, questions: Sequence[Question]) -> Iterator[PageSheet]:
+def tab_content(result: Result, title: str) -> TabContent:
+    """Collect rows and sheets under a title."""
+    return TabContent(written_group(_(title), rows_under(result, title)), tuple(_sheets(result, title)))
+
+
+def page_doubts(result: Result) -> PageDoubts:
+    """Collect what is to be minded, and how checks came out."""
+    checks = (
+        PageCheck(check.sentence, check.verdict(), bool(check.passed[0]) if check.judged[0] else None)
+        for check in result.checks
+    )
+    return PageDoubts(tuple(sentence for of_sort in to_mind(result) for sentence in of_sort), tuple(checks))
+
+
+def _questions(result: Result, title: str) -> list[Question]:
+    """Questions of a title."""
+    return [question for question in result.machines[0].questions if question.title == title]
+
+
+def _sheets(result: Result, title: str) -> Iterator[PageSheet]:
     """Give the sheets of some questions; of those without one some of their curves."""
-    makers = [maker for question in questions for one in pictures_of(question.name) if (maker := _maker(one, result))]
+    makers = list(_makers(result, title))
     for make in makers:
         try:
             sheet: Sheet = make(result)
@@ -179,18 +206,19 @@ def _sheets(result: Result, questions: Sequence[Question]) -> Iterator[PageSheet
             yield PageSheet("", ((PageNotes(tuple(str(problem) for problem in error.problems)),),))
         else:
             yield PageSheet(sheet.title, tuple(tuple(page_parts(column.parts)) for column in sheet.columns))
-    panels = () if makers else tuple(_curves(result, questions))
+    panels = () if makers else tuple(_curves(result, _questions(result, title)))
     if panels:
         yield PageSheet("", ((PageCurves(panels, _("Crank angle φ, °"), is_stack=True),),))
 
 
-def _maker(picture: Picture, result: Result) -> Callable[..., Any] | None:
-    """Find what makes a picture over the cycle, if it is a sheet as data of which the result has what it needs."""
-    if picture.over != "cycle" or not all(name in result.catalogue for name in picture.needs):
-        return None
-    home, _colon, name = picture.home.partition(":")
-    function = getattr(import_module(home), name)
-    return function if get_type_hints(function).get("return") is Sheet else None
+def _makers(result: Result, title: str) -> Iterator[Callable[..., Any]]:
+    """Find what makes pictures over the cycle that are sheets as data, of which the result has what they need."""
+    for picture in (one for question in _questions(result, title) for one in pictures_of(question.name)):
+        if picture.over == "cycle" and all(name in result.catalogue for name in picture.needs):
+            home, _colon, name = picture.home.partition(":")
+            function = getattr(import_module(home), name)
+            if get_type_hints(function).get("return") is Sheet:
+                yield function
 
 
 def _curves(result: Result, questions: Sequence[Question]) -> Iterator[Panel]:
@@ -201,9 +229,3 @@ def _curves(result: Result, questions: Sequence[Question]) -> Iterator[Panel]:
         for panel in plot_of(result, name).panels:
             if isinstance(panel, Panel):
                 yield as_shown(panel)
-
-
-def _checks(result: Result) -> Iterator[PageCheck]:
-    """Say of every check whether it holds."""
-    for check in result.checks:
-        yield PageCheck(check.sentence, check.verdict(), bool(check.passed[0]) if check.judged[0] else None)

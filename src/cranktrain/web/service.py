@@ -12,18 +12,18 @@ from importlib.resources import files
 from typing import Annotated, Any
 
 from fastapi import FastAPI, Request
+from fastapi.concurrency import run_in_threadpool
 from fastapi.exceptions import RequestValidationError
+from fastapi.middleware.trustedhost import TrustedHostMiddleware
 from fastapi.responses import HTMLResponse, JSONResponse, PlainTextResponse, Response
 from pydantic import BaseModel, Field
-from starlette.concurrency import run_in_threadpool
-from starlette.middleware.trustedhost import TrustedHostMiddleware
 
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.io.examples import example_names
-from cranktrain.language import said as _
+from cranktrain.language import _
 from cranktrain.paths import parts_of
 from cranktrain.version import VERSION
-from cranktrain.web.case import packed_case, text_of_case
+from cranktrain.web.case import Case
 from cranktrain.web.packed import Packed
 
 _HOSTS = ("127.0.0.1", "localhost")
@@ -78,6 +78,12 @@ class CaseAsked(BaseModel):
     ] = []
 
 
+class PageAsked(CaseAsked):
+    """A machine, and which tab is open."""
+
+    tab: Annotated[int, Field(ge=0, le=1000, description="From 0; the last where there are fewer.")] = 0
+
+
 class ProblemSaid(BaseModel):
     """One thing that is wrong: where, what was given, what is allowed, what to write instead."""
 
@@ -91,6 +97,10 @@ class ExampleNamed(BaseModel):
     """An example by its name."""
 
     name: str
+
+
+_NUMBERS: dict[str, Any] = {"response_class": Response, "responses": {422: {"model": list[ProblemSaid]}}}
+"""Of what gives packed data: its answers."""
 
 
 def service(file: str | None = None) -> FastAPI:
@@ -108,13 +118,12 @@ def service(file: str | None = None) -> FastAPI:
     app.exception_handler(RequestValidationError)(_malformed)
     known = frozenset(example_names())
 
-    def source(asked: CaseAsked) -> str:
+    def case_of(asked: CaseAsked) -> Case:
         """Find what is meant: what is sent never becomes the name of a file."""
         refuse(_naming_files(asked.settings))
-        if asked.machine in known:
-            return asked.machine
-        if not asked.machine and file is not None:
-            return file
+        source = asked.machine if asked.machine in known else file if not asked.machine else None
+        if source is not None:
+            return Case(source, tuple(asked.settings))
         allowed = _("must be one of the examples: {names}", names=", ".join(sorted(known)))
         raise InputError([Problem("machine", asked.machine, allowed)])
 
@@ -133,16 +142,25 @@ def service(file: str | None = None) -> FastAPI:
     def _examples() -> list[ExampleNamed]:
         return [ExampleNamed(name=name) for name in sorted(known)]
 
-    @app.post("/api/case", response_class=Response, responses={422: {"model": list[ProblemSaid]}})
-    async def _case(asked: CaseAsked) -> Response:
-        """Give all that a page shows of a machine: a length, so much JSON, and the numbers of its arrays."""
-        found = await run_in_threadpool(packed_case, source(asked), tuple(asked.settings))
-        return Response(_bytes_of(found), media_type="application/octet-stream")
+    @app.post("/api/case", **_NUMBERS)
+    async def _case(asked: PageAsked) -> Response:
+        """Give a machine as a page shows it with one tab open: a length, so much JSON, and the numbers of arrays."""
+        return _numbers(await run_in_threadpool(case_of(asked).packed_page, asked.tab))
+
+    @app.post("/api/tab", **_NUMBERS)
+    async def _tab(asked: PageAsked) -> Response:
+        """Give what stands on a tab."""
+        return _numbers(await run_in_threadpool(case_of(asked).packed_tab, asked.tab))
+
+    @app.post("/api/doubts", **_NUMBERS)
+    async def _doubts(asked: CaseAsked) -> Response:
+        """Give what is to be minded of a machine, and its checks: everything that it allows is computed for these."""
+        return _numbers(await run_in_threadpool(case_of(asked).packed_doubts))
 
     @app.post("/api/file", response_class=PlainTextResponse, responses={422: {"model": list[ProblemSaid]}})
     async def _file(asked: CaseAsked) -> str:
         """Give the machine file with the numbers in place, its comments where they were."""
-        return await run_in_threadpool(text_of_case, source(asked), tuple(asked.settings))
+        return await run_in_threadpool(lambda: case_of(asked).text)
 
     return app
 
@@ -155,11 +173,12 @@ def _naming_files(settings: Sequence[str]) -> Iterator[Problem]:
             yield Problem(path, None, _("may be a number or a word here, and no file or table"))
 
 
-def _bytes_of(found: Packed) -> bytes:
+def _numbers(found: Packed) -> Response:
     """Give JSON behind its length, filled up with spaces to whole numbers, and the numbers."""
     text = json.dumps(found.data, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
-    return struct.pack("<I", len(text)) + text + found.numbers.astype("<f4").tobytes()
+    content = struct.pack("<I", len(text)) + text + found.numbers.astype("<f4").tobytes()
+    return Response(content, media_type="application/octet-stream")
 
 
 async def _guarded(request: Request, call_next: Callable[[Request], Awaitable[Response]]) -> Response:

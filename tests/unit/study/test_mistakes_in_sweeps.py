@@ -4,6 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from tests.machines import slider
+from tests.sentences import FOLDER_NOT_THERE, NO_PATH, NOT_A_KEY, WHOLE_NUMBER
 
 import cranktrain as ct
 
@@ -13,7 +14,7 @@ MACHINE = ct.Machine(
 RODS = {"rod_length": "140, 150 mm"}
 BY_PATH = 'must be values by path, or a sequence of such; write like {"rod_length": "130..160 mm:31"}'
 ONE_BY_ONE = "must be values, one by one, or a text such as 130..160 mm:31"
-WHOLE = "must be a whole number, at least 1"
+WHOLE = f"{WHOLE_NUMBER}, at least 1"
 MAPPING = 'must be a mapping of paths to values; write machine.with_({"mechanism.rod_length": "140 mm"})'
 
 
@@ -29,8 +30,8 @@ MAPPING = 'must be a mapping of paths to values; write machine.with_({"mechanism
         ([{}], "cases: has no design"),
         (["rod_length"], 'vary[0] = rod_length: must be values by path; write like {"rod_length": "130 mm"}'),
         ([{"rod_length": "1 m"}, None], 'vary[1] = None: must be values by path; write like {"rod_length": "130 mm"}'),
-        ({5: "1 mm"}, "5: is no path of a machine file: names with dots between"),
-        ([{None: "1 mm"}], "None: is no path of a machine file: names with dots between"),
+        ({5: "1 mm"}, f"5: {NO_PATH}: names with dots between"),
+        ([{None: "1 mm"}], f"None: {NO_PATH}: names with dots between"),
         ({"rod_lenght": "140, 150 mm"}, "rod_lenght: is no key of this machine's file; did you mean rod_length?"),
         ({"rod_length": "140, 150 kg"}, "kg measures a mass"),
         ({"rod_length": None}, f"mechanism.rod_length = None: {ONE_BY_ONE}"),
@@ -80,7 +81,7 @@ def test_parameters_that_say_nothing(options, said):
 
 
 def test_a_store_in_a_folder_that_is_not_there(tmp_path):
-    with pytest.raises(ct.InputError, match="the folder is not there"):
+    with pytest.raises(ct.InputError, match=FOLDER_NOT_THERE):
         ct.sweep(MACHINE, RODS, "stroke", store=tmp_path / "no" / "rods.zarr")
     assert list(tmp_path.iterdir()) == []
 
@@ -102,8 +103,8 @@ def test_a_design_that_is_not_there():
     [
         (None, f"with_ = None: {MAPPING}"),
         ("rod_length=1", f"with_ = rod_length=1: {MAPPING}"),
-        ({5: "1 mm"}, "5: is no path of a machine file"),
-        ({"rod_length": "140 mm"}, "rod_length = 140 mm: is not a key of this table; write [mechanism] rod_length"),
+        ({5: "1 mm"}, f"5: {NO_PATH}"),
+        ({"rod_length": "140 mm"}, f"rod_length = 140 mm: {NOT_A_KEY}; write [mechanism] rod_length"),
         ({"mechanism.rod_lenght": "1 mm"}, "did you mean rod_length?"),
         ({"mechanism.rod_length": 0.14}, 'write "0.14 m" or "0.14 mm"'),
         ({"mechanism.rod_length": "140,5 mm"}, 'write "140.5 mm"'),

@@ -29,13 +29,13 @@ def page(name):
 
 
 def parts(tab):
-    return [part for sheet in tab.sheets for column in sheet.columns for part in column]
+    return [part for sheet in tab.content.sheets for column in sheet.columns for part in column]
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_every_row_of_the_terminal_is_on_the_page(name):
     rows = [row for _title, rows in result(name).answer_rows() for row in rows]
-    shown = [row for tab in page(name).tabs for row in tab.answer.rows]
+    shown = [row for tab in page(name).tabs for row in tab.content.answer.rows]
     assert [row.name for row in shown] == [str(row.name) for row in rows]
     for row, own in zip(shown, rows, strict=True):
         if len(row.cells) == 1:
@@ -45,8 +45,8 @@ def test_every_row_of_the_terminal_is_on_the_page(name):
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_every_tab_has_something_and_sheets_have_a_picture_or_a_reason(name):
     for tab in page(name).tabs:
-        assert tab.answer.rows or parts(tab), tab.title
-        for sheet in tab.sheets:
+        assert tab.content.answer.rows or parts(tab), tab.title
+        for sheet in tab.content.sheets:
             assert any(column for column in sheet.columns), tab.title
 
 
@@ -106,7 +106,7 @@ def test_words_and_units_are_those_that_are_chosen():
         found = packed(machine_page(result("textbook_78x78")))
     first = next(
         part
-        for sheet in found.data["tabs"][0]["sheets"]
+        for sheet in found.data["tabs"][0]["content"]["sheets"]
         for column in sheet["columns"]
         for part in column
         if part["is"] == "PageCurves"

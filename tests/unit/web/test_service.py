@@ -1,6 +1,7 @@
 """The service of pages: what it gives, what it refuses, and that it reads no file but its own."""
 
 import json
+import os
 import struct
 
 import numpy as np
@@ -32,7 +33,9 @@ def asked(machine="textbook_78x78", *settings):
 def test_a_number_set_anew_is_in_all_that_is_shown(client):
     data, _numbers = opened(client.post("/api/case", json=asked("3d12", "shaft.main.speed=1800 rpm")))
     assert "1800 rpm" in data["machine"]["made_of"]
-    row = next(row for row in data["machine"]["tabs"][0]["answer"]["rows"] if row["name"] == "mean piston speed")
+    row = next(
+        row for row in data["machine"]["tabs"][0]["content"]["answer"]["rows"] if row["name"] == "mean piston speed"
+    )
     expected = ct.run("3d12", set={"shaft.main.speed": "1800 rpm"}).mean_piston_speed
     assert float(row["cells"][0]) == pytest.approx(expected[0], rel=1e-3)
 
@@ -43,6 +46,31 @@ def test_inputs_are_those_of_the_file(client):
     assert inputs["bank.L.mechanism.stroke"]["text"] == "180 mm"
     assert inputs["bank.L.mechanism.stroke"]["status"] == "published"
     assert inputs["shaft.main.throws[1]"]["name"] == "throws 2"
+
+
+def test_only_the_open_tab_has_its_content_and_others_come_when_they_are_asked_for(client):
+    data, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": 3}))
+    tabs = data["machine"]["tabs"]
+    assert [tab["title"] for tab in tabs if tab["content"]] == ["Largest forces"]
+    assert data["machine"]["doubts"] is None
+    whole, _numbers = opened(client.post("/api/tab", json={"machine": "3d12", "tab": len(tabs) - 1}))
+    assert whole["answer"]["title"] == "Main bearings"
+    doubts, _numbers = opened(client.post("/api/doubts", json={"machine": "3d12"}))
+    assert len(doubts["checks"]) == len(ct.run("3d12").checks)
+    assert any("[masses.crank]" in sentence for sentence in doubts["to_mind"])
+    last, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": 999}))
+    assert last["machine"]["tabs"][-1]["content"]["answer"]["title"] == "Main bearings"
+
+
+def test_a_served_file_that_was_written_anew_is_read_anew(tmp_path):
+    path = tmp_path / "mine.toml"
+    text = '[mechanism]\nkind = "slider_crank"\ncrank_radius = "50 mm"\nrod_length = "{} mm"\n'
+    with TestClient(service(str(path)), base_url="http://localhost:8765") as client:
+        for time, rod in enumerate(("130", "140")):
+            path.write_text(text.format(rod))
+            os.utime(path, (time, time))
+            data, _numbers = opened(client.post("/api/case", json=asked("")))
+            assert f"{rod} mm" in {one["text"] for table in data["tables"] for one in table["inputs"]}
 
 
 def test_the_file_keeps_its_comments(client):
