@@ -7,7 +7,7 @@ from cranktrain.cli.asked import Asked, in_units_of, units_asked_for
 from cranktrain.cli.how_far import says_how_far
 from cranktrain.errors import Problem, refuse
 from cranktrain.io.machine_file import computed, read_machine
-from cranktrain.io.output import STANDARD_OUTPUT, write_whole
+from cranktrain.io.output import STANDARD_OUTPUT, look_first, write_whole
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
 from cranktrain.web.standalone import standalone_page
@@ -24,6 +24,7 @@ def write_page(asked: Asked) -> None:
         With everything that is wrong with the options, else with the machine.
     """
     refuse(_output_problems(asked.output))
+    look_first(asked.output or "-", force=asked.force)
     units = units_asked_for(asked.units)
     file = read_machine(asked.file, asked.settings, partial=asked.is_partial)
     with in_units_of(file, units), says_how_far():
