@@ -11,6 +11,7 @@ from urllib.request import urlopen
 import pytest
 from tests.browser import Watched, browser
 from tests.e2e.conftest import environment
+from tests.sentences import NOT_POSITIVE
 
 import cranktrain as ct
 
@@ -103,7 +104,7 @@ def test_a_wrong_number_is_said_beside_it_and_the_page_stays(opened):
     settled(page, "stroke", "180.0")
     field = typed(page, "bore", "-3 mm")
     said = page.locator(f"#{field.get_attribute('aria-describedby')}")
-    said.get_by_text("must be more than 0 mm").wait_for()
+    said.get_by_text(f"{NOT_POSITIVE} mm").wait_for()
     assert field.get_attribute("aria-invalid") == "true"
     assert row(page, "stroke")[0] == "180.0"
     typed(page, "bore", "151 mm")
