@@ -4,7 +4,7 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 
 import { askedIn, placeIn, remember, withAsked, type Asked } from "./address.ts";
-import type { PageCase, PageDoubts, TabContent } from "./data.ts";
+import type { PageCase, PageTrust, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Form, type Problem } from "./form.ts";
 import { revived } from "./numbers.ts";
@@ -133,7 +133,7 @@ class App {
     const more = (where: string, tab: number): Promise<unknown> => this.more(where, asked, tab, signal);
     this.end = showPage(found.machine, this.view, {
       tab: async (place) => (await more("api/tab", place)) as TabContent,
-      doubts: async () => (await more("api/doubts", 0)) as PageDoubts,
+      trust: async () => (await more("api/trust", 0)) as PageTrust,
     });
   }
 

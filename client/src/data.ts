@@ -22,7 +22,7 @@ export interface ShownMachine {
   readonly made_of: string;
   readonly cycle: Float;
   readonly tabs: readonly (PageTab)[];
-  readonly doubts: PageDoubts | null;
+  readonly trust: PageTrust | null;
   readonly drawing: MachineDrawing;
   readonly words: PageWords;
 }
@@ -222,8 +222,8 @@ export interface RulerMark {
   readonly word: string;
 }
 
-export interface PageDoubts {
-  readonly is: "PageDoubts";
+export interface PageTrust {
+  readonly is: "PageTrust";
   readonly to_mind: readonly (string)[];
   readonly checks: readonly (PageCheck)[];
 }

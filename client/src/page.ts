@@ -2,7 +2,7 @@
 
 import { placeIn, remember, withPlace } from "./address.ts";
 import { curves, lineSample, type Shown } from "./curves.ts";
-import type { PageDoubts, PageRuler, PageSheet, ShownMachine, TabContent } from "./data.ts";
+import type { PageTrust, PageRuler, PageSheet, ShownMachine, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Mechanism } from "./mechanism.ts";
 import { number } from "./numbers.ts";
@@ -22,7 +22,7 @@ type Part = PageSheet["columns"][number][number];
 /** Where more of a page is from, that it did not come with. */
 export interface Source {
   readonly tab: (place: number) => Promise<TabContent>;
-  readonly doubts: () => Promise<PageDoubts>;
+  readonly trust: () => Promise<PageTrust>;
 }
 
 /** Show a machine in an element; give what ends that. */
@@ -109,12 +109,12 @@ export function showPage(page: ShownMachine, into: HTMLElement, source?: Source)
 
   const toMind = html("div", {});
   const checked = html("div", {});
-  const doubt = (found: PageDoubts): void => {
+  const trusted = (found: PageTrust): void => {
     toMind.replaceChildren(...minded(found.to_mind));
     checked.replaceChildren(checks(found.checks, words.checks));
   };
-  if (page.doubts) doubt(page.doubts);
-  else void source?.doubts().then((found) => { if (!ended.signal.aborted) doubt(found); });
+  if (page.trust) trusted(page.trust);
+  else void source?.trust().then((found) => { if (!ended.signal.aborted) trusted(found); });
 
   into.replaceChildren(
     html("header", { class: "head" }, html("h1", {}, page.name || page.made_of), ...(page.name ? [html("p", {}, page.made_of)] : [])),

@@ -12,7 +12,7 @@ from cranktrain.paths import parts_of
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.packed import Packed, packed
-from cranktrain.web.page import ShownMachine, machine_page, page_doubts, tab_content, tab_titles
+from cranktrain.web.page import ShownMachine, machine_page, page_trust, tab_content, tab_titles
 
 _MOST_KEPT = 4
 """Machines of which what was computed is kept for what the same page asks next."""
@@ -102,11 +102,11 @@ class Case(NamedTuple):
         with result.in_its_units():
             return packed(tab_content(result, titles[min(tab, len(titles) - 1)]))
 
-    def packed_doubts(self) -> Packed:
+    def packed_trust(self) -> Packed:
         """Compute what is to be minded, and all checks, and pack them; as `packed_page`."""
         _file, result = self._computed()
         with result.in_its_units():
-            return packed(page_doubts(result))
+            return packed(page_trust(result))
 
     @property
     def text(self) -> str:

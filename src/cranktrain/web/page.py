@@ -71,7 +71,7 @@ class PageCheck:
 
 
 @record
-class PageDoubts:
+class PageTrust:
     """What is to be minded of a machine, and its checks: of these everything has to be computed."""
 
     to_mind: tuple[Words, ...]
@@ -119,7 +119,7 @@ class ShownMachine:
     cycle : float
         Crank angle at which all begins again. [deg]
     tabs : tuple of PageTab
-    doubts : PageDoubts or None
+    trust : PageTrust or None
         None where they were not asked for.
     drawing : MachineDrawing
         Its first throw over the cycle, both ends included.
@@ -130,7 +130,7 @@ class ShownMachine:
     made_of: str
     cycle: float
     tabs: tuple[PageTab, ...]
-    doubts: PageDoubts | None
+    trust: PageTrust | None
     drawing: MachineDrawing
     words: PageWords
 
@@ -143,7 +143,7 @@ def machine_page(result: Result, tab: int | None = None) -> ShownMachine:
     result : Result
         Of one machine, with everything that it allows.
     tab : int, optional
-        Which tab alone has its content, from 0, or the last where there are fewer; all tabs unless given, and doubts.
+        Which tab alone has its content, from 0, or the last where there are fewer; all tabs unless given, and trust.
 
     Returns
     -------
@@ -162,7 +162,7 @@ def machine_page(result: Result, tab: int | None = None) -> ShownMachine:
             PageTab(_(title), tab_content(result, title) if place in asked else None)
             for place, title in enumerate(titles)
         ),
-        doubts=page_doubts(result) if tab is None else None,
+        trust=page_trust(result) if tab is None else None,
         drawing=machine_drawing(
             machine, np.arange(0.0, result.cycle + _STEP / 2, _STEP), mechanism=throw[0].name if throw else None
         ),
@@ -182,13 +182,13 @@ def tab_content(result: Result, title: str) -> TabContent:
     return TabContent(written_group(_(title), rows_under(result, title)), tuple(_sheets(result, title)))
 
 
-def page_doubts(result: Result) -> PageDoubts:
+def page_trust(result: Result) -> PageTrust:
     """Collect what is to be minded, and how checks came out."""
     checks = (
         PageCheck(check.sentence, check.verdict(), bool(check.passed[0]) if check.judged[0] else None)
         for check in result.checks
     )
-    return PageDoubts(tuple(sentence for of_sort in to_mind(result) for sentence in of_sort), tuple(checks))
+    return PageTrust(tuple(sentence for of_sort in to_mind(result) for sentence in of_sort), tuple(checks))
 
 
 def _questions(result: Result, title: str) -> list[Question]:

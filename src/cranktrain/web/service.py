@@ -152,10 +152,10 @@ def service(file: str | None = None) -> FastAPI:
         """Give what stands on a tab."""
         return _numbers(await run_in_threadpool(case_of(asked).packed_tab, asked.tab))
 
-    @app.post("/api/doubts", **_NUMBERS)
-    async def _doubts(asked: CaseAsked) -> Response:
+    @app.post("/api/trust", **_NUMBERS)
+    async def _trust(asked: CaseAsked) -> Response:
         """Give what is to be minded of a machine, and its checks: everything that it allows is computed for these."""
-        return _numbers(await run_in_threadpool(case_of(asked).packed_doubts))
+        return _numbers(await run_in_threadpool(case_of(asked).packed_trust))
 
     @app.post("/api/file", response_class=PlainTextResponse, responses={422: {"model": list[ProblemSaid]}})
     async def _file(asked: CaseAsked) -> str:

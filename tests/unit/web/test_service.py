@@ -52,12 +52,12 @@ def test_only_the_open_tab_has_its_content_and_others_come_when_they_are_asked_f
     data, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": 3}))
     tabs = data["machine"]["tabs"]
     assert [tab["title"] for tab in tabs if tab["content"]] == ["Largest forces"]
-    assert data["machine"]["doubts"] is None
+    assert data["machine"]["trust"] is None
     whole, _numbers = opened(client.post("/api/tab", json={"machine": "3d12", "tab": len(tabs) - 1}))
     assert whole["answer"]["title"] == "Main bearings"
-    doubts, _numbers = opened(client.post("/api/doubts", json={"machine": "3d12"}))
-    assert len(doubts["checks"]) == len(ct.run("3d12").checks)
-    assert any("[masses.crank]" in sentence for sentence in doubts["to_mind"])
+    trust, _numbers = opened(client.post("/api/trust", json={"machine": "3d12"}))
+    assert len(trust["checks"]) == len(ct.run("3d12").checks)
+    assert any("[masses.crank]" in sentence for sentence in trust["to_mind"])
     last, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": 999}))
     assert last["machine"]["tabs"][-1]["content"]["answer"]["title"] == "Main bearings"
 
