@@ -1,6 +1,6 @@
 """Lines of an answer by the titles of the questions, each computed when somebody asks for it."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
 from cranktrain.analysis.outcomes import Outcomes
@@ -50,7 +50,7 @@ _RowsOf = Callable[..., Iterable[AnswerLine]]
 
 def answer_titles(result: Answering) -> tuple[str, ...]:
     """Titles under which there may be lines: of questions that have what they tell of. Nothing is computed."""
-    return tuple(title for title, functions in _functions(result).items() if any(map(_has_needs(result), functions)))
+    return tuple(title for title, functions in _functions(result).items() if functions)
 
 
 def answer_kinds(result: Answering) -> set[type]:
@@ -59,17 +59,24 @@ def answer_kinds(result: Answering) -> set[type]:
     return {kind for function in functions for kind in needs_of(function).types.values()}
 
 
-def rows_under(result: Answering, title: str, design: int = 0) -> list[AnswerLine]:
-    """Lines under a title, for one design: of all questions that share it, as far as there is anything to say.
+def answer_groups(result: Answering, design: int = 0) -> Iterator[tuple[str, list[AnswerLine]]]:
+    """Lines of the answer for one design under their titles, if there are any."""
+    for title, functions in _functions(result).items():
+        rows = _rows(result, functions, design)
+        if rows:
+            yield title, rows
 
-    What kinds of mechanisms have of their own stands with the first question.
-    """
-    functions = filter(_has_needs(result), _functions(result).get(title, ()))
-    return [row for rows_of in functions for row in _rows(result, rows_of, design) if row.says]
+
+def rows_under(result: Answering, title: str, design: int = 0) -> list[AnswerLine]:
+    """Lines under one title, for one design: of all questions that share it, as far as there is anything to say."""
+    return _rows(result, _functions(result).get(title, ()), design)
 
 
 def _functions(result: Answering) -> dict[str, list[_RowsOf]]:
-    """What says the lines of an answer, by the titles under which it says them."""
+    """What says the lines of an answer by the titles under which it says them, where it has what it asks for.
+
+    What kinds of mechanisms have of their own stands with the first question.
+    """
     machine = result.machines[0]
     own = tuple(rows for kind in machine.kinds for rows in KINDS.named(kind).rows)
     first = machine.questions[0]
@@ -77,20 +84,21 @@ def _functions(result: Answering) -> dict[str, list[_RowsOf]]:
         (question.title, rows_of)
         for question in machine.questions
         for rows_of in (*question.rows, *(own if question is first else ()))
+        if all(_is_there(result, kind) for kind in needs_of(rows_of).required)
     )
 
 
-def _has_needs(result: Answering) -> Callable[[_RowsOf], bool]:
-    """Say whether what a function asks for is in a result, or can be computed."""
-
-    def holds(function: _RowsOf) -> bool:
-        needs = needs_of(function)
-        return all(kind in result.computed.kinds for name, kind in needs.types.items() if name not in needs.optional)
-
-    return holds
+def _is_there(result: Answering, kind: type) -> bool:
+    """Whether a result has what a stage gives by its type, or can compute it."""
+    kinds = result.computed.kinds
+    return kind in kinds or any(issubclass(one, kind) for one in kinds)
 
 
-def _rows(result: Answering, function: _RowsOf, design: int) -> Iterable[AnswerLine]:
-    """Rows of one function."""
-    found: dict[str, object] = {name: result.get(kind) for name, kind in needs_of(function).types.items()}
-    return function(Telling(result.labels, result.titles, design, result.cycle), **found)
+def _rows(result: Answering, functions: Iterable[_RowsOf], design: int) -> list[AnswerLine]:
+    """Rows of some functions that say anything."""
+    telling = Telling(result.labels, result.titles, design, result.cycle)
+    found = (
+        rows_of(telling, **{name: result.get(kind) for name, kind in needs_of(rows_of).types.items()})
+        for rows_of in functions
+    )
+    return [row for rows in found for row in rows if row.says]

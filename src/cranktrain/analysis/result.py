@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 
-from cranktrain.analysis.answer import answer_kinds, answer_titles, rows_under
+from cranktrain.analysis.answer import answer_groups, answer_kinds
 from cranktrain.analysis.dimensions import Titled
 from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.stages import Missing, every_stage
@@ -242,10 +242,8 @@ class Result(Run):
 
         Questions with one title stand together; what kinds of mechanisms have of their own, with the first question.
         """
-        for title in answer_titles(self):
-            rows = rows_under(self, title, design)
-            if rows:
-                yield _(title), rows
+        for title, rows in answer_groups(self, design):
+            yield _(title), rows
 
     def answer_rows(self) -> Iterator[tuple[Words, list[AnswerLine]]]:
         """Lines of the answer, of several designs those of the first."""

@@ -51,6 +51,11 @@ class Needs(NamedTuple):
     types: Mapping[str, type]
     optional: frozenset[str]
 
+    @property
+    def required(self) -> frozenset[type]:
+        """Types of those that may not."""
+        return frozenset(need for name, need in self.types.items() if name not in self.optional)
+
 
 @cache
 def needs_of(function: Callable[..., Any]) -> Needs:
@@ -159,7 +164,7 @@ class Stage:
     @cached_property
     def required(self) -> frozenset[type]:
         """Types without which it cannot run."""
-        return frozenset(need for name, need in self.needs.items() if name not in self.optional)
+        return needs_of(self.function).required
 
     def applies_to(self, parts: Mapping[type, object]) -> Applies:
         """Say whether it applies to a machine of some parts; where it asks for one that is not there, it does not."""
