@@ -115,7 +115,7 @@ class App {
     const { words } = found;
     remember(withAsked(location.hash, asked));
     this.machines.value = asked.machine;
-    this.label.firstChild?.nodeName === "#text" || this.label.prepend(`${words.machine} `);
+    this.label.replaceChildren(`${words.machine} `, this.machines);
     for (const [button, word, by] of [[this.undo, words.undo, -1], [this.redo, words.redo, 1]] as const) {
       button.textContent = word;
       button.disabled = !this.steps.has(by);
@@ -157,15 +157,18 @@ class App {
 
   private async download(): Promise<void> {
     const asked = this.steps.now;
-    const answer = await ask("api/file", asked, this.asking.signal);
-    if (!answer.ok) return;
+    const answer = await ask("api/file", asked);
+    if (!answer.ok) {
+      this.blame((await answer.json()) as Problem[]);
+      return;
+    }
     const link = html("a", { href: URL.createObjectURL(await answer.blob()), download: `${asked.machine || "machine"}.toml` });
     link.click();
     URL.revokeObjectURL(link.href);
   }
 }
 
-async function ask(where: string, asked: Asked, signal: AbortSignal, tab = 0): Promise<Response> {
+async function ask(where: string, asked: Asked, signal: AbortSignal | null = null, tab = 0): Promise<Response> {
   const settings = [...asked.settings].map(([path, text]) => `${path}=${text}`);
   const body = JSON.stringify({ machine: asked.machine, settings, tab });
   return fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal });

@@ -58,7 +58,7 @@ export interface WrittenRow {
 export interface PageSheet {
   readonly is: "PageSheet";
   readonly title: string;
-  readonly columns: readonly (readonly (PageCurves | PagePolars | PageBars | PageStars | PageWear | PageShapes | PageTable | PageNotes | PageRuler)[])[];
+  readonly columns: readonly (readonly (PageCurves | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | Notes | Ruler)[])[];
 }
 
 export interface PageCurves {
@@ -119,15 +119,15 @@ export interface PanelLine {
 
 export interface PagePolars {
   readonly is: "PagePolars";
-  readonly diagrams: readonly (PagePolar)[];
+  readonly diagrams: readonly (PolarDiagram)[];
   readonly unit: string;
   readonly notes: string;
 }
 
-export interface PagePolar {
-  readonly is: "PagePolar";
+export interface PolarDiagram {
+  readonly is: "PolarDiagram";
   readonly title: string;
-  readonly curves: readonly (PagePolarCurve)[];
+  readonly curves: readonly (PolarCurve)[];
   readonly largest: Numbers;
   readonly largest_at: Float;
   readonly cycle: Float;
@@ -135,14 +135,14 @@ export interface PagePolar {
   readonly marks: Numbers;
 }
 
-export interface PagePolarCurve {
-  readonly is: "PagePolarCurve";
+export interface PolarCurve {
+  readonly is: "PolarCurve";
   readonly points: Numbers;
-  readonly place: number;
+  readonly place: number | null;
 }
 
-export interface PageBars {
-  readonly is: "PageBars";
+export interface Bars {
+  readonly is: "Bars";
   readonly title: string;
   readonly unit: string;
   readonly low: Numbers;
@@ -154,8 +154,8 @@ export interface PageBars {
   readonly notes: readonly (string)[];
 }
 
-export interface PageStars {
-  readonly is: "PageStars";
+export interface Stars {
+  readonly is: "Stars";
   readonly title: string;
   readonly rays: readonly (Rays)[];
 }
@@ -177,8 +177,8 @@ export interface PageWear {
   readonly words: string;
 }
 
-export interface PageShapes {
-  readonly is: "PageShapes";
+export interface ShaftShapes {
+  readonly is: "ShaftShapes";
   readonly title: string;
   readonly shapes: readonly (ShaftShape)[];
   readonly names: readonly (string)[];
@@ -202,16 +202,19 @@ export interface PageTable {
   readonly notes: readonly (string)[];
 }
 
-export interface PageNotes {
-  readonly is: "PageNotes";
+export interface Notes {
+  readonly is: "Notes";
   readonly sentences: readonly (string)[];
+  readonly can_go_on: boolean;
 }
 
-export interface PageRuler {
-  readonly is: "PageRuler";
+export interface Ruler {
+  readonly is: "Ruler";
   readonly heading: string;
   readonly marks: readonly (RulerMark)[];
+  readonly pistons: readonly (string)[];
   readonly textbook: string;
+  readonly is_of_cylinders: boolean;
 }
 
 export interface RulerMark {

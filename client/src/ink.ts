@@ -41,8 +41,8 @@ export const LEVELS: Readonly<Record<PanelLine["role"], Pen & { readonly ink: In
   often: { ...pen(0.7, [1, 3]), ink: "muted" },
 };
 
-/** Of methods in the order of trust. */
-export function methodPen(place: number): Pen & { readonly ink: Ink } {
+/** Of methods in the order of trust; what is by no method is as the first. */
+export function methodPen(place: number | null): Pen & { readonly ink: Ink } {
   const known: readonly (Pen & { readonly ink: Ink })[] = [
     { ...pen(1.9), ink: "ink" },
     { ...pen(1.2, [7, 3]), ink: "s" },
@@ -51,8 +51,8 @@ export function methodPen(place: number): Pen & { readonly ink: Ink } {
     { ...pen(1), ink: "T" },
     { ...pen(1.1, [4, 2]), ink: "p" },
   ];
-  const dots = Array.from({ length: Math.max(0, place - known.length + 2) }, () => [2, 2]).flat();
-  return known[Math.max(place, 0)] ?? { ...pen(1, [7, 2, ...dots]), ink: "N" };
+  const dots = Array.from({ length: Math.max(0, (place ?? 0) - known.length + 2) }, () => [2, 2]).flat();
+  return known[place ?? 0] ?? { ...pen(1, [7, 2, ...dots]), ink: "N" };
 }
 
 const INKS = ["s", "v", "j", "p", "N", "T", "K", "F", "ink", "muted", "ground", "rule", "grid", "error"] as const;

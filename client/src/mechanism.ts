@@ -446,9 +446,9 @@ class Slider {
     if (of.ram) {
       const half = (number(of.ram.width) * scale) / 2;
       const bed = number(of.ram.bed) * scale;
-      const way = Math.sign(number(of.ram.face)) || 1;
-      const guide = [travel[0] - way * number(of.ram.back) * scale, travel[1] - way * number(of.ram.back) * scale * 0.4];
-      return [wall(guide[0] as number, guide[1] as number, half + 2, -1), wall(guide[0] as number, guide[1] as number, half + 2, 1), svg("path", { class: "bed", d: `M${bed} ${-2.2 * half}V${2.2 * half}` })];
+      const back = number(of.ram.back) * scale;
+      const [start, end] = [travel[0] - back, travel[1] - 0.4 * back];
+      return [wall(start, end, half + 2, -1), wall(start, end, half + 2, 1), svg("path", { class: "bed", d: `M${bed} ${-2.2 * half}V${2.2 * half}` })];
     }
     if (of.crosshead && bore !== null) {
       const [near, far] = [at(of.crosshead.covers, 0) * scale, at(of.crosshead.covers, 1) * scale];
@@ -481,10 +481,8 @@ class Slider {
     const { of, scale, bore, toward } = this;
     if (of.ram) {
       const half = (number(of.ram.width) * scale) / 2;
-      const ends = [-number(of.ram.back) * scale, number(of.ram.face) * scale];
-      const way = at(of.ram.ends, 1) >= at(of.ram.ends, 0) ? 1 : -1;
-      const [low, high] = extent(ends.map((one) => one * way));
-      return [svg("rect", { class: "piston", x: low, y: -half, width: high - low, height: 2 * half })];
+      const [back, face] = [number(of.ram.back) * scale, number(of.ram.face) * scale];
+      return [svg("rect", { class: "piston", x: -back, y: -half, width: back + face, height: 2 * half })];
     }
     if (of.crosshead && bore !== null) {
       const length = number(of.crosshead.rod_length) * scale;
@@ -552,9 +550,9 @@ function brokenShifts(drawing: MachineDrawing): ReadonlyMap<string, Point> {
   const all = drawing.mechanisms.map(reach);
   const shifts = new Map<string, Point>();
   drawing.mechanisms.forEach((one, place) => {
-    const others = Math.max(0, ...all.filter((value, other) => other !== place && value * BREAK > 0 && value < (all[place] ?? 0) / BREAK));
     const own = all[place] ?? 0;
-    if (!one.output || others <= 0 || own <= BREAK * others) return;
+    const others = Math.max(0, ...all.filter((value) => BREAK * value < own));
+    if (!one.output || others === 0) return;
     const by = own - BROKEN * others;
     const pins = one.links.flatMap((link) => link.pins).filter((name) => Math.max(...extent((one.pins[name]?.values ?? new Float32Array()).map(Math.abs))) > BREAK * others);
     for (const name of pins) shifts.set(`${one.name} ${name}`, { x: -by * at(one.output.along, 0), y: -by * at(one.output.along, 1) });

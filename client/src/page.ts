@@ -2,7 +2,7 @@
 
 import { placeIn, remember, withPlace } from "./address.ts";
 import { curves, lineSample, type Shown } from "./curves.ts";
-import type { PageTrust, PageRuler, PageSheet, ShownMachine, TabContent } from "./data.ts";
+import type { PageTrust, Ruler, PageSheet, ShownMachine, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Mechanism } from "./mechanism.ts";
 import { number } from "./numbers.ts";
@@ -214,24 +214,24 @@ function drawn(part: Part, turned: (angle: number) => void, shown: Shown[]): HTM
       return moving(curves(part, turned), shown);
     case "PagePolars":
       return moving(polars(part), shown);
-    case "PageBars":
+    case "Bars":
       return bars(part);
-    case "PageStars":
+    case "Stars":
       return stars(part);
     case "PageWear":
       return wear(part);
-    case "PageShapes":
+    case "ShaftShapes":
       return shapes(part);
     case "PageTable":
       return table(part);
-    case "PageNotes":
+    case "Notes":
       return html("div", { class: "notes" }, ...part.sentences.map((one) => html("p", {}, said(one))));
-    case "PageRuler":
+    case "Ruler":
       return ruler(part);
   }
 }
 
-function ruler(part: PageRuler): HTMLElement {
+function ruler(part: Ruler): HTMLElement {
   const marks = part.marks.map((mark) => {
     const words = `${mark.is_top ? "▼" : "▽"} ${mark.name} ${number(mark.angle).toFixed(2)}°`;
     return html("span", { title: mark.word }, words);

@@ -1,6 +1,6 @@
 // Pictures in the plane: polar diagrams, stars, circles of wear, bars, shapes along a shaft.
 
-import type { PageBars, PagePolar, PagePolars, PageShapes, PageStars, PageWear, Rays } from "./data.ts";
+import type { Bars, PolarDiagram, PagePolars, ShaftShapes, Stars, PageWear, Rays } from "./data.ts";
 import { html, picture, svg } from "./elements.ts";
 import { colour, methodPen } from "./ink.ts";
 import { at, between, extent, figure, number, row, ticks } from "./numbers.ts";
@@ -19,7 +19,7 @@ export function polars(part: PagePolars): Shown {
   return { element, show: (angle) => { for (const one of shown) one.show(angle); }, fit: () => undefined };
 }
 
-function polar(diagram: PagePolar, unit: string, reach: number): Shown {
+function polar(diagram: PolarDiagram, unit: string, reach: number): Shown {
   const scale = (POLAR / 2 - RIM) / (reach || 1);
   const half = POLAR / 2;
   const x = (value: number): number => value * scale;
@@ -74,7 +74,7 @@ function polar(diagram: PagePolar, unit: string, reach: number): Shown {
 }
 
 /** Show stars of phases. */
-export function stars(part: PageStars): HTMLElement {
+export function stars(part: Stars): HTMLElement {
   return html("div", { class: "plane" }, html("h3", {}, said(part.title)), html("div", { class: "side-by-side" }, ...part.rays.map(star)));
 }
 
@@ -128,7 +128,7 @@ function worn(rays: Rays, most: number): HTMLElement {
 }
 
 /** Show bars. */
-export function bars(part: PageBars): HTMLElement {
+export function bars(part: Bars): HTMLElement {
   const [width, height, left, foot, top] = [560, 210, 46, part.names.length ? 34 : 22, 8];
   const element = html("figure", { class: "panel" }, html("h3", {}, said(part.title)));
   const n = part.across.values.length;
@@ -160,7 +160,7 @@ export function bars(part: PageBars): HTMLElement {
 }
 
 /** Show shapes along a shaft. */
-export function shapes(part: PageShapes): HTMLElement {
+export function shapes(part: ShaftShapes): HTMLElement {
   const [width, each, left] = [560, 76, 30];
   const n = part.names.length;
   const isTurned = part.names.some((name) => name.length * 6.5 > (width - left) / n);

@@ -1,7 +1,7 @@
 """A machine on a page with its numbers, any of which may be set anew: what is asked, and what is sent."""
 
-import os
 from functools import lru_cache
+from pathlib import Path
 from typing import NamedTuple
 
 from cranktrain.analysis import Result
@@ -115,8 +115,8 @@ class Case(NamedTuple):
 
     def _computed(self) -> tuple[MachineFile, Result]:
         """Read and compute; of what a page asks one after the other each part is computed once."""
-        written = os.stat(self.source).st_mtime_ns if os.path.exists(self.source) else 0  # noqa: PTH110, PTH116 - NUL
-        return _kept(self, written)
+        file = Path(self.source)
+        return _kept(self, file.stat().st_mtime_ns if file.exists() else 0)
 
 
 @lru_cache(_MOST_KEPT)

@@ -15,14 +15,14 @@ from cranktrain.language import Words, _
 from cranktrain.layout.question import Question
 from cranktrain.panels.drawing import MachineDrawing
 from cranktrain.panels.drawing_of_machine import machine_drawing
-from cranktrain.panels.parts import Sheet
+from cranktrain.panels.parts import Notes, Sheet
 from cranktrain.panels.plotted import plot_of
 from cranktrain.panels.shapes import Panel, as_shown
 from cranktrain.panels.sheets import pictures_of
 from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.saying.row_table import WrittenGroup, written_group
-from cranktrain.web.parts import PageCurves, PageNotes, PagePart, page_parts
+from cranktrain.web.parts import PageCurves, PagePart, page_parts
 
 _STEP = 2.0
 """Between positions of the drawing, between which a page goes on smoothly. [deg]"""
@@ -203,7 +203,7 @@ def _sheets(result: Result, title: str) -> Iterator[PageSheet]:
         try:
             sheet: Sheet = make(result)
         except InputError as error:  # it says what the file lacks
-            yield PageSheet("", ((PageNotes(tuple(str(problem) for problem in error.problems)),),))
+            yield PageSheet("", ((Notes(tuple(str(problem) for problem in error.problems)),),))
         else:
             yield PageSheet(sheet.title, tuple(tuple(page_parts(column.parts)) for column in sheet.columns))
     panels = () if makers else tuple(_curves(result, _questions(result, title)))

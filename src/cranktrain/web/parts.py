@@ -1,13 +1,12 @@
 """Parts of a sheet as a page draws them: in the units in which they are shown, tables as text."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cranktrain.language import Words, _
-from cranktrain.motion import Array
 from cranktrain.panels.parts import (
     BarChart,
     CurveCard,
@@ -15,7 +14,6 @@ from cranktrain.panels.parts import (
     Part,
     Polars,
     Ruler,
-    RulerMark,
     ShaftShapes,
     Stack,
     Stars,
@@ -23,7 +21,7 @@ from cranktrain.panels.parts import (
     WearCircles,
     column_texts,
 )
-from cranktrain.panels.shapes import Bars, Panel, PolarDiagram, Rays, ShaftShape, as_shown
+from cranktrain.panels.shapes import Bars, Panel, PolarDiagram, Rays, as_shown
 from cranktrain.record import record
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.saying.wording import plain
@@ -48,75 +46,12 @@ class PageCurves:
 
 
 @record
-class PagePolarCurve:
-    """Load over the cycle: to the right and up, shape (2, n), in the unit of its diagram; place of its method.
-
-    What is by no method has the place −1.
-    """
-
-    points: Array
-    place: int
-
-
-@record
-class PagePolar:
-    """A polar diagram, all in one unit.
-
-    Attributes
-    ----------
-    title : Words
-    curves : tuple of PagePolarCurve
-        The first one first.
-    largest : Array, shape (2,)
-        Where the first has its largest.
-    largest_at : float
-        [deg]
-    cycle : float
-        [deg]
-    marked : Array, shape (k,)
-        Crank angles of marks along the first curve. [deg]
-    marks : Array, shape (2, k)
-    """
-
-    title: Words
-    curves: tuple[PagePolarCurve, ...]
-    largest: Array
-    largest_at: float
-    cycle: float
-    marked: Array
-    marks: Array
-
-
-@record
 class PagePolars:
-    """Polar diagrams to one scale, its unit, and what is said of them."""
+    """Polar diagrams to one scale, all in its unit, and what is said of them."""
 
-    diagrams: tuple[PagePolar, ...]
+    diagrams: tuple[PolarDiagram, ...]
     unit: str
     notes: Words
-
-
-@record
-class PageBars:
-    """Bars in the unit in which they are shown, as `Bars` has them."""
-
-    title: Words
-    unit: str
-    low: Array
-    high: Array
-    is_filled: NDArray[np.bool_]
-    across: Array
-    names: tuple[str, ...]
-    framed: int
-    notes: tuple[Words, ...]
-
-
-@record
-class PageStars:
-    """Rays with names, side by side."""
-
-    title: Words
-    rays: tuple[Rays, ...]
 
 
 @record
@@ -135,15 +70,6 @@ class PageWear:
     rows: tuple[tuple[Rays, ...], ...]
     most: float
     words: Words
-
-
-@record
-class PageShapes:
-    """Shapes along one shaft, the first at the top, over the names of its places."""
-
-    title: Words
-    shapes: tuple[ShaftShape, ...]
-    names: tuple[str, ...]
 
 
 @record
@@ -169,25 +95,7 @@ class PageTable:
     notes: tuple[Words, ...]
 
 
-@record
-class PageNotes:
-    """Sentences, each a paragraph."""
-
-    sentences: tuple[Words, ...]
-
-
-@record
-class PageRuler:
-    """Dead centres over the curves below it, and which textbook form stands beside these, if any."""
-
-    heading: Words
-    marks: tuple[RulerMark, ...]
-    textbook: Words
-
-
-PagePart: TypeAlias = (
-    PageCurves | PagePolars | PageBars | PageStars | PageWear | PageShapes | PageTable | PageNotes | PageRuler
-)
+PagePart: TypeAlias = PageCurves | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | Notes | Ruler
 
 
 def page_parts(parts: Sequence[Part]) -> Iterator[PagePart]:
@@ -202,18 +110,12 @@ def page_parts(parts: Sequence[Part]) -> Iterator[PagePart]:
                 yield _polars(diagrams, notes)
             case BarChart(bars=bars):
                 yield _bars(bars)
-            case Stars(title=title, rays=rays):
-                yield PageStars(title, rays)
             case WearCircles():
                 yield _wear(part)
-            case ShaftShapes(title=title, shapes=shapes, names=names):
-                yield PageShapes(title, shapes, names)
             case Table():
                 yield _table(part)
-            case Notes(sentences=sentences):
-                yield PageNotes(sentences)
-            case Ruler(heading=heading, marks=marks, textbook=textbook):
-                yield PageRuler(heading, marks, textbook)
+            case Stars() | ShaftShapes() | Notes() | Ruler():
+                yield part
             case _:
                 pass
 
@@ -225,36 +127,16 @@ def _polars(diagrams: Sequence[PolarDiagram], notes: Words) -> PagePolars:
     return PagePolars(tuple(_polar(one, scale) for one in diagrams), scale.label, notes)
 
 
-def _polar(diagram: PolarDiagram, scale: Scale) -> PagePolar:
+def _polar(diagram: PolarDiagram, scale: Scale) -> PolarDiagram:
     """Give a diagram in a unit."""
-    return PagePolar(
-        title=diagram.title,
-        curves=tuple(
-            PagePolarCurve(scale.of(curve.points), -1 if curve.place is None else curve.place)
-            for curve in diagram.curves
-        ),
-        largest=scale.of(diagram.largest),
-        largest_at=diagram.largest_at,
-        cycle=diagram.cycle,
-        marked=diagram.marked,
-        marks=scale.of(diagram.marks),
-    )
+    curves = tuple(replace(curve, points=scale.of(curve.points)) for curve in diagram.curves)
+    return replace(diagram, curves=curves, largest=scale.of(diagram.largest), marks=scale.of(diagram.marks))
 
 
-def _bars(bars: Bars) -> PageBars:
+def _bars(bars: Bars) -> Bars:
     """Give bars in the unit in which they are shown."""
     scale = scale_for(bars.unit, float(np.max(np.abs([bars.low, bars.high]))))
-    return PageBars(
-        title=bars.title,
-        unit=scale.label,
-        low=scale.of(bars.low),
-        high=scale.of(bars.high),
-        is_filled=bars.is_filled,
-        across=bars.across,
-        names=bars.names,
-        framed=bars.framed,
-        notes=bars.notes,
-    )
+    return replace(bars, unit=scale.label, low=scale.of(bars.low), high=scale.of(bars.high))
 
 
 def _wear(circles: WearCircles) -> PageWear:

@@ -9,10 +9,11 @@ from tests.unit.web.test_packed import array
 
 import cranktrain as ct
 from cranktrain.io.examples import EXAMPLES_FOLDER
+from cranktrain.panels.parts import Notes
 from cranktrain.saying.row_words import row_words
 from cranktrain.web.packed import packed
 from cranktrain.web.page import machine_page
-from cranktrain.web.parts import PageCurves, PageNotes, PagePolars
+from cranktrain.web.parts import PageCurves, PagePolars
 from cranktrain.web.standalone import standalone_page
 
 EXAMPLES = sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml"))
@@ -85,7 +86,7 @@ def test_polar_diagrams_of_bearings_are_in_their_unit():
 def test_a_sheet_that_lacks_something_says_what():
     evenness = next(tab for tab in page("textbook_78x78").tabs if str(tab.title) == "Evenness")
     (first, *_others) = parts(evenness)
-    assert isinstance(first, PageNotes)
+    assert isinstance(first, Notes)
     assert "[evenness]" in str(first.sentences[0])
 
 
