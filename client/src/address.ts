@@ -2,8 +2,8 @@
 
 /** Where a page stands. */
 export interface Place {
-  /** Which tab, from 0. */
-  readonly tab: number;
+  /** Which tab, by its name; none is the first. */
+  readonly tab: string;
   /** Crank angle at which it stands; NaN of one that turns. [deg] */
   readonly angle: number;
 }
@@ -24,9 +24,8 @@ const parts = (hash: string): URLSearchParams => new URLSearchParams(hash.replac
 /** Read a place from the part of an address behind #; what is wrong there is left out. */
 export function placeIn(hash: string): Place {
   const found = parts(hash);
-  const tab = Number.parseInt(found.get(TAB) ?? "", 10);
   const angle = Number.parseFloat(found.get(ANGLE) ?? "");
-  return { tab: Number.isInteger(tab) && tab >= 0 ? tab : 0, angle: Number.isFinite(angle) ? angle : NaN };
+  return { tab: found.get(TAB) ?? "", angle: Number.isFinite(angle) ? angle : NaN };
 }
 
 /** Read a machine and its numbers. */
@@ -39,7 +38,7 @@ export function askedIn(hash: string): Asked {
 /** Write a place into the part of an address behind #, all else as it was. */
 export function withPlace(hash: string, place: Place): string {
   const found = parts(hash);
-  set(found, TAB, place.tab ? `${place.tab}` : "");
+  set(found, TAB, place.tab);
   set(found, ANGLE, Number.isNaN(place.angle) ? "" : `${+place.angle.toFixed(2)}`);
   return `#${found.toString()}`;
 }
@@ -58,7 +57,37 @@ function set(found: URLSearchParams, name: string, value: string): void {
   else found.delete(name);
 }
 
-/** Keep the part of an address behind #, without a step back; a page in the frame of a notebook has no address. */
-export function remember(hash: string): void {
-  if (location.protocol !== "about:") history.replaceState(null, "", hash);
+/** How long the address waits for what is shown: browsers take some milliseconds to write one. [ms] */
+const BEHIND = 60;
+
+/** What stands in the address of the page, or will soon. */
+export class Address {
+  private waiting: ReturnType<typeof setTimeout> | null = null;
+  private hash = location.hash;
+
+  get place(): Place {
+    return placeIn(this.hash);
+  }
+
+  get asked(): Asked {
+    return askedIn(this.hash);
+  }
+
+  stand(place: Place): void {
+    this.write(withPlace(this.hash, place));
+  }
+
+  ask(asked: Asked): void {
+    this.write(withAsked(this.hash, asked));
+  }
+
+  /** Write it, without a step back; a page in the frame of a notebook has no address. */
+  private write(hash: string): void {
+    this.hash = hash;
+    if (location.protocol === "about:") return;
+    this.waiting ??= setTimeout(() => {
+      this.waiting = null;
+      history.replaceState(null, "", this.hash);
+    }, BEHIND);
+  }
 }

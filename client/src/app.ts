@@ -3,12 +3,12 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 
-import { askedIn, placeIn, remember, withAsked, type Asked } from "./address.ts";
+import { Address, type Asked } from "./address.ts";
 import type { PageCase, PageTrust, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Form, type Problem } from "./form.ts";
 import { revived } from "./numbers.ts";
-import { showPage } from "./page.ts";
+import { MachinePage, type Source } from "./page.ts";
 
 /** From when on it is shown that something is computed. [ms] */
 const PATIENCE = 150;
@@ -52,11 +52,12 @@ class App {
   private readonly label = html("label", {});
   private form: Form | null = null;
   private shownMachine = "";
-  private end: () => void = () => undefined;
+  private page: MachinePage | null = null;
+  private readonly address = new Address();
   private asking = new AbortController();
 
   constructor(into: HTMLElement, file: string, examples: readonly string[]) {
-    const asked = askedIn(location.hash);
+    const { asked } = this.address;
     const first = asked.machine || file ? asked : { machine: "3d12", settings: asked.settings };
     this.steps = new Steps(first);
     this.machines.append(...(file ? [html("option", { value: "" }, file)] : []), ...examples.map((name) => html("option", { value: name }, name)));
@@ -98,7 +99,7 @@ class App {
     const asked = this.steps.now;
     const late = setTimeout(() => { this.view.classList.add("computing"); }, PATIENCE);
     try {
-      const answer = await ask("api/case", asked, signal, placeIn(location.hash).tab);
+      const answer = await ask("api/case", asked, signal, this.address.place.tab);
       const found = answer.ok ? opened(await answer.arrayBuffer()) : ((await answer.json()) as Problem[]);
       if (signal.aborted) return;
       if (Array.isArray(found)) this.blame(found as Problem[]);
@@ -113,7 +114,7 @@ class App {
 
   private fill(found: PageCase, asked: Asked): void {
     const { words } = found;
-    remember(withAsked(location.hash, asked));
+    this.address.ask(asked);
     this.machines.value = asked.machine;
     this.label.replaceChildren(`${words.machine} `, this.machines);
     for (const [button, word, by] of [[this.undo, words.undo, -1], [this.redo, words.redo, 1]] as const) {
@@ -128,17 +129,17 @@ class App {
     this.shownMachine = asked.machine;
     this.form.fill(found.tables, asked.settings);
     this.form.blame([]);
-    this.end();
     const { signal } = this.asking;
-    const more = (where: string, tab: number): Promise<unknown> => this.more(where, asked, tab, signal);
-    this.end = showPage(found.machine, this.view, {
-      tab: async (place) => (await more("api/tab", place)) as TabContent,
-      trust: async () => (await more("api/trust", 0)) as PageTrust,
-    });
+    const source: Source = {
+      tab: async (name) => (await this.more("api/tab", asked, signal, name)) as TabContent,
+      trust: async () => (await this.more("api/trust", asked, signal)) as PageTrust,
+    };
+    if (this.page) this.page.take(found.machine, source);
+    else this.page = new MachinePage(found.machine, this.view, this.address, source);
   }
 
   /** Ask for more of what is shown; of what is shown no longer nothing comes. */
-  private async more(where: string, asked: Asked, tab: number, signal: AbortSignal): Promise<unknown> {
+  private async more(where: string, asked: Asked, signal: AbortSignal, tab?: string): Promise<unknown> {
     try {
       const answer = await ask(where, asked, signal, tab);
       if (answer.ok) return opened(await answer.arrayBuffer());
@@ -168,7 +169,7 @@ class App {
   }
 }
 
-async function ask(where: string, asked: Asked, signal: AbortSignal | null = null, tab = 0): Promise<Response> {
+async function ask(where: string, asked: Asked, signal: AbortSignal | null = null, tab?: string): Promise<Response> {
   const settings = [...asked.settings].map(([path, text]) => `${path}=${text}`);
   const body = JSON.stringify({ machine: asked.machine, settings, tab });
   return fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal });

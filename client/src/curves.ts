@@ -4,8 +4,8 @@ import uPlot from "uplot";
 
 import type { Curve, PageCurves, Panel } from "./data.ts";
 import { html, svg } from "./elements.ts";
-import { canvasColour, inkOf, LEVELS, PENS } from "./ink.ts";
-import { extent, figure, figures, interpolated, number, ticks } from "./numbers.ts";
+import { canvasColour, type Ink, inkOf, LEVELS, PENS } from "./ink.ts";
+import { extent, figure, figures, interpolated, number, same, ticks } from "./numbers.ts";
 import { said, symbol } from "./words.ts";
 
 const AXIS = 54;
@@ -21,27 +21,50 @@ const MIDDLE: readonly [number, number] = [0.04, 0.96];
 /** Of curves that stand beside others of their name. */
 const UNNAMED: ReadonlySet<Curve["role"]> = new Set(["ray", "half_ray", "textbook"]);
 
-/** Curves on a page, with a cursor that all share. */
+/** What is shown of a part of a page. */
 export interface Shown {
   readonly element: HTMLElement;
   /** Stand at a crank angle. [deg] */
   readonly show: (angle: number) => void;
-  /** Take the width and the colours of what they stand in. */
+  /** Take the width and the colours of what it stands in. */
   readonly fit: () => void;
 }
 
-/** Show curves; where somebody points at them, that is the crank angle. */
-export function curves(part: PageCurves, turned: (angle: number) => void): Shown {
-  const panels = part.panels.map((panel, place) => {
-    const isLast = !part.is_stack || place === part.panels.length - 1;
-    return new ShownPanel(panel, { over: isLast ? (part.is_stack ? part.over : panel.over) : "", isStacked: part.is_stack, isLast, turned });
-  });
-  const element = html("div", { class: part.is_stack ? "stack" : "card" }, ...panels.map((one) => one.element));
-  return {
-    element,
-    show: (angle) => { for (const one of panels) one.show(angle); },
-    fit: () => { for (const one of panels) one.fit(); },
-  };
+/** Curves on a page, with a cursor that all share; where somebody points at them, that is the crank angle. */
+export class ShownCurves implements Shown {
+  readonly element: HTMLElement;
+  private readonly panels: readonly ShownPanel[];
+  private part: PageCurves;
+
+  constructor(part: PageCurves, turned: (angle: number) => void) {
+    this.part = part;
+    this.panels = part.panels.map((panel, place) => {
+      const isLast = !part.is_stack || place === part.panels.length - 1;
+      return new ShownPanel(panel, { over: isLast ? (part.is_stack ? part.over : panel.over) : "", isStacked: part.is_stack, isLast, turned });
+    });
+    this.element = html("div", { class: part.is_stack ? "stack" : "card" }, ...this.panels.map((one) => one.element));
+  }
+
+  show(angle: number): void {
+    for (const one of this.panels) one.show(angle);
+  }
+
+  fit(): void {
+    for (const one of this.panels) one.fit();
+  }
+
+  /** Show other values of the same curves where they stand; false of other curves. */
+  take(part: PageCurves): boolean {
+    if (!same(headOf(this.part), headOf(part))) return false;
+    part.panels.forEach((panel, place) => this.panels[place]?.take(panel));
+    this.part = part;
+    return true;
+  }
+}
+
+/** What of curves is no value of theirs. */
+function headOf(part: PageCurves): unknown {
+  return [part.is_stack, part.over, part.panels.map((one) => [one.title, one.unit, one.symbol, one.across_unit, one.over, one.curves.map(({ role, letter, symbol, name }) => [role, letter, symbol, name])])];
 }
 
 interface Manner {
@@ -60,53 +83,77 @@ interface Line {
 class ShownPanel {
   readonly element: HTMLElement;
   private readonly room = html("div", { class: "plot" });
+  private readonly corner = html("div", {});
+  private readonly below = html("div", {});
+  private readonly cursor = html("div", { class: "cursor" });
   private readonly readings: HTMLElement[] = [];
-  private readonly lines: readonly Line[];
   private readonly isOverAngle: boolean;
-  private readonly largest: number;
-  private readonly panel: Panel;
   private readonly manner: Manner;
+  private readonly inks = new Map<Ink, string>();
+  private panel: Panel;
+  private lines: readonly Line[] = [];
+  private largest = 0;
+  /** Ends of the axes. */
+  private reach: readonly [number, number] = [0, 1];
+  private limits: readonly [number, number] = [0, 1];
   private plot: uPlot | null = null;
   private angle = 0;
 
   constructor(panel: Panel, manner: Manner) {
     this.panel = panel;
     this.manner = manner;
-    this.lines = panel.curves.map((curve) => ({ across: (curve.across ?? panel.across).values, values: curve.values.values }));
-    this.largest = Math.max(0, ...this.lines.flatMap((line) => extent(line.values).map(Math.abs)).filter(Number.isFinite));
     this.isOverAngle = manner.isStacked && panel.across_unit === "°";
     const title = html("h3", {}, said(panel.title));
     if (panel.symbol) title.append(" ", symbol(panel.symbol));
     if (panel.unit && manner.isStacked) title.append(html("span", { class: "unit" }, ", ", said(panel.unit)));
-    this.element = html("figure", { class: "panel" }, html("div", { class: "head" }, title, this.legend()), this.room);
-    if (panel.corner.length) this.element.append(html("figcaption", { class: "corner" }, ...panel.corner.flatMap((one) => [said(one), html("br")])));
+    this.element = html("figure", { class: "panel" }, html("div", { class: "head" }, title, this.legend()), this.room, this.corner);
     if (manner.over) this.element.append(html("figcaption", {}, said(manner.over)));
+    this.element.append(this.below);
+    this.take(panel);
+  }
+
+  /** Show other values of the same curves. */
+  take(panel: Panel): void {
+    this.panel = panel;
+    this.lines = panel.curves.map((curve) => ({ across: (curve.across ?? panel.across).values, values: curve.values.values }));
+    this.largest = Math.max(0, ...this.lines.flatMap((line) => extent(line.values).map(Math.abs)).filter(Number.isFinite));
+    this.reach = this.findReach();
+    this.limits = this.findLimits();
+    this.corner.replaceChildren(...(panel.corner.length ? [html("figcaption", { class: "corner" }, ...panel.corner.flatMap((one) => [said(one), html("br")]))] : []));
     const below = [...panel.below.map(([, words]) => words), ...panel.marks.filter((one) => one.words && one.sort !== "angle").map((one) => one.words)];
-    if (below.some(Boolean)) this.element.append(html("figcaption", { class: "below" }, ...below.flatMap((words, place) => (place ? [" · ", said(words)] : [said(words)]))));
+    this.below.replaceChildren(...(below.some(Boolean) ? [html("figcaption", { class: "below" }, ...below.flatMap((words, place) => (place ? [" · ", said(words)] : [said(words)])))] : []));
+    this.plot?.setData(this.data());
   }
 
   show(angle: number): void {
     this.angle = angle;
     if (!this.isOverAngle) return;
-    const [start, end] = this.reach();
+    const [start, end] = this.reach;
     const place = angle > end ? angle % end : angle;
     this.readings.forEach((reading, which) => {
       const line = this.lines[which];
       if (line) reading.textContent = figures(interpolated(line.across, line.values, place), this.largest);
     });
-    const cursor = this.element.querySelector<HTMLElement>(".cursor");
-    if (cursor) cursor.style.left = `${((100 * (place - start)) / (end - start)).toFixed(3)}%`;
+    this.cursor.style.left = `${((100 * (place - start)) / (end - start)).toFixed(3)}%`;
   }
 
   fit(): void {
     const width = Math.floor(this.room.clientWidth);
     if (width < 40) return;
     this.plot?.destroy();
+    this.inks.clear();
     this.plot = new uPlot(this.options(width), this.data(), this.room);
     if (this.isOverAngle) {
-      this.plot.over.append(html("div", { class: "cursor" }));
+      this.plot.over.append(this.cursor);
       this.show(this.angle);
     }
+  }
+
+  /** A colour as the canvas takes it. */
+  private ink(ink: Ink): string {
+    const known = this.inks.get(ink) ?? canvasColour(ink, this.element);
+    this.inks.set(ink, known);
+    return known;
   }
 
   /** Names of curves with samples of their lines, and their values at the crank angle. */
@@ -125,7 +172,7 @@ class ShownPanel {
     return list;
   }
 
-  private limits(): readonly [number, number] {
+  private findLimits(): readonly [number, number] {
     if (this.panel.limits) return [number(this.panel.limits[0]), number(this.panel.limits[1])];
     const known = this.lines.flatMap((line) => Array.from(line.values).filter(Number.isFinite));
     const hasGaps = this.lines.some((line) => line.values.some((one) => !Number.isFinite(one)));
@@ -143,7 +190,7 @@ class ShownPanel {
     return [low === 0 ? 0 : low - room, high === 0 ? 0 : high + room];
   }
 
-  private reach(): readonly [number, number] {
+  private findReach(): readonly [number, number] {
     if (this.panel.reach) return [number(this.panel.reach[0]), number(this.panel.reach[1])];
     const [low, high] = extent(this.lines.flatMap((line) => [...extent(line.across)]));
     if (this.manner.isStacked) return [Math.min(0, low), high];
@@ -152,20 +199,18 @@ class ShownPanel {
   }
 
   private data(): uPlot.AlignedData {
-    const x = Array.from(this.reach());
+    const x = Array.from(this.reach);
     return [x, x.map(() => null)];
   }
 
   /** The library has axes, scales and the grid; curves are drawn as they are, over any points. */
   private options(width: number): uPlot.Options {
-    const [left, right] = this.reach();
-    const [low, high] = this.limits();
-    const muted = canvasColour("muted", this.element);
-    const grid = { stroke: canvasColour("grid", this.element), width: 1 };
+    const muted = this.ink("muted");
+    const grid = { stroke: this.ink("grid"), width: 1 };
     const font = "11px Inter, 'Segoe UI', system-ui, sans-serif";
     const isTurn = this.isOverAngle;
-    const across = isTurn ? angles(left, right) : ticks(left, right, Math.max(3, Math.floor(width / 75)));
-    const up = ticks(low, high, this.manner.isStacked ? 4 : 5);
+    const across = (): number[] => (isTurn ? angles(...this.reach) : ticks(...this.reach, Math.max(3, Math.floor(width / 75))));
+    const up = (): number[] => ticks(...this.limits, this.manner.isStacked ? 4 : 5);
     const height = (this.manner.isStacked ? STACKED : ALONE) + (this.manner.isLast ? LAST : 8);
     const steps = (found: readonly number[]): number => (found[1] ?? 1) - (found[0] ?? 0);
     return {
@@ -174,15 +219,15 @@ class ShownPanel {
       legend: { show: false },
       padding: [8, 12, this.manner.isLast ? 0 : 4, 0],
       cursor: { show: isTurn, x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
-      scales: { x: { time: false, range: [left, right] }, y: { range: [low, high] } },
+      scales: { x: { time: false, range: () => [...this.reach] }, y: { range: () => [...this.limits] } },
       axes: [
         {
           size: this.manner.isLast ? 24 : 6, gap: 2, font, stroke: muted, grid, ticks: { show: false },
-          splits: () => [...across], values: (_plot, found) => found.map((one) => (this.manner.isLast ? figure(one, steps(across)) : "")),
+          splits: across, values: (_plot, found) => found.map((one) => (this.manner.isLast ? figure(one, steps(found)) : "")),
         },
         {
           size: AXIS, gap: 4, font, stroke: muted, grid, ticks: { show: false },
-          splits: () => [...up], values: (_plot, found) => found.map((one) => figure(one, steps(up))),
+          splits: up, values: (_plot, found) => found.map((one) => figure(one, steps(found))),
         },
       ],
       series: [{}, { show: true, points: { show: false } }],
@@ -194,7 +239,7 @@ class ShownPanel {
     if (!this.isOverAngle) return;
     const turn = (event: PointerEvent): void => {
       const box = plot.over.getBoundingClientRect();
-      const [left, right] = this.reach();
+      const [left, right] = this.reach;
       this.manner.turned(Math.min(Math.max(plot.posToVal(event.clientX - box.left, "x"), left), right));
     };
     plot.over.addEventListener("pointerdown", (event) => {
@@ -214,13 +259,13 @@ class ShownPanel {
     ink.beginPath();
     ink.rect(box.left, box.top, box.width, box.height);
     ink.clip();
-    const [low, high] = this.limits();
-    if (low < 0 && high > 0) stroke(ink, canvasColour("muted", this.element), ratio, [], () => { ink.moveTo(box.left, y(0)); ink.lineTo(box.left + box.width, y(0)); });
+    const [low, high] = this.limits;
+    if (low < 0 && high > 0) stroke(ink, this.ink("muted"), ratio, [], () => { ink.moveTo(box.left, y(0)); ink.lineTo(box.left + box.width, y(0)); });
     this.shadeOpen(ink, x, box);
     for (const level of this.panel.levels) {
       const look = LEVELS[level.role];
       const place = number(level.at);
-      stroke(ink, canvasColour(look.ink, this.element), look.width * ratio, look.dashes.map((one) => one * ratio), () => {
+      stroke(ink, this.ink(look.ink), look.width * ratio, look.dashes.map((one) => one * ratio), () => {
         if (level.is_upright) { ink.moveTo(x(place), box.top); ink.lineTo(x(place), box.top + box.height); }
         else { ink.moveTo(box.left, y(place)); ink.lineTo(box.left + box.width, y(place)); }
       });
@@ -234,9 +279,9 @@ class ShownPanel {
       const [across, up] = [x(number(mark.across)), y(number(mark.value))];
       ink.beginPath();
       ink.arc(across, up, (mark.sort === "dot" ? 2 + 2.5 * number(mark.size) ** 0.5 : mark.sort === "angle" ? 2 : 3.5) * ratio, 0, 2 * Math.PI);
-      ink.fillStyle = canvasColour(mark.sort === "dot" ? "ink" : mark.sort === "angle" ? "v" : "ground", this.element);
+      ink.fillStyle = this.ink(mark.sort === "dot" ? "ink" : mark.sort === "angle" ? "v" : "ground");
       ink.fill();
-      if (mark.sort === "ring" || mark.sort === "change") stroke(ink, canvasColour("ink", this.element), 1.2 * ratio, [], () => { ink.arc(across, up, 3.5 * ratio, 0, 2 * Math.PI); });
+      if (mark.sort === "ring" || mark.sort === "change") stroke(ink, this.ink("ink"), 1.2 * ratio, [], () => { ink.arc(across, up, 3.5 * ratio, 0, 2 * Math.PI); });
       if (mark.sort === "angle") this.write(ink, `${+number(mark.angle).toFixed(1)}°`, across + 5 * ratio, up - 5 * ratio, ratio);
     }
     for (const level of this.panel.levels) if (level.number) this.write(ink, `${level.number}`, x(number(level.at)) - 3 * ratio, box.top - 1 * ratio, ratio);
@@ -244,13 +289,13 @@ class ShownPanel {
 
   private write(ink: CanvasRenderingContext2D, text: string, x: number, y: number, ratio: number): void {
     ink.font = `${11 * ratio}px Inter, 'Segoe UI', system-ui, sans-serif`;
-    ink.fillStyle = canvasColour("muted", this.element);
+    ink.fillStyle = this.ink("muted");
     ink.fillText(text, x, y);
   }
 
   private drawCurve(ink: CanvasRenderingContext2D, curve: Curve, line: Line, x: (one: number) => number, y: (one: number) => number, ratio: number): void {
     const pen = PENS[curve.role];
-    const colour = canvasColour(curve.role === "textbook" ? "ink" : inkOf(curve.letter), this.element);
+    const colour = this.ink(curve.role === "textbook" ? "ink" : inkOf(curve.letter));
     if (curve.is_cloud) {
       ink.fillStyle = colour;
       line.across.forEach((across, place) => {
@@ -275,7 +320,7 @@ class ShownPanel {
       if (!Number.isFinite(value)) continue;
       ink.beginPath();
       ink.arc(x(angle), y(value), 2.6 * ratio, 0, 2 * Math.PI);
-      ink.fillStyle = canvasColour("ground", this.element);
+      ink.fillStyle = this.ink("ground");
       ink.fill();
       stroke(ink, colour, ratio, [], () => { ink.arc(x(angle), y(value), 2.6 * ratio, 0, 2 * Math.PI); });
     }
@@ -283,7 +328,7 @@ class ShownPanel {
 
   /** Shade where the links cannot close, and where nothing can be. */
   private shadeOpen(ink: CanvasRenderingContext2D, x: (one: number) => number, box: uPlot.BBox): void {
-    ink.fillStyle = canvasColour("grid", this.element);
+    ink.fillStyle = this.ink("grid");
     const shade = (from: number, to: number): void => { ink.fillRect(x(from), box.top, x(to) - x(from), box.height); };
     for (const [from, to] of this.panel.hatched) shade(number(from), number(to));
     const line = this.lines[0];

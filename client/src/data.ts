@@ -29,6 +29,7 @@ export interface ShownMachine {
 
 export interface PageTab {
   readonly is: "PageTab";
+  readonly name: string;
   readonly title: string;
   readonly content: TabContent | null;
 }

@@ -30,7 +30,8 @@ export function picture(name: string, box: readonly [number, number, number, num
   new ResizeObserver(() => {
     const { width, height } = made.getBoundingClientRect();
     const scale = Math.min(width / box[2], height / box[3]);
-    if (scale > 0) made.style.setProperty("--pixel", `${(1 / scale).toFixed(4)}px`);
+    const pixel = `${(1 / scale).toFixed(4)}px`;
+    if (scale > 0 && made.style.getPropertyValue("--pixel") !== pixel) made.style.setProperty("--pixel", pixel);
   }).observe(made);
   return made;
 }

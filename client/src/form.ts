@@ -38,7 +38,9 @@ export class Form {
     for (const one of tables.flatMap((table) => table.inputs)) {
       const field = this.fields.get(one.path);
       if (!field) continue;
-      if (document.activeElement !== field.input || !field.input.classList.contains("typing")) field.input.value = one.text;
+      if (document.activeElement !== field.input || !field.input.classList.contains("typing")) {
+        if (field.input.value !== one.text) field.input.value = one.text;
+      }
       field.input.closest(".field")?.classList.toggle("changed", settings.has(one.path));
     }
   }
@@ -46,8 +48,8 @@ export class Form {
   /** Show what is wrong, each beside its number; what is of none stands above all. */
   blame(problems: readonly Problem[]): void {
     for (const { input, said } of this.fields.values()) {
-      input.removeAttribute("aria-invalid");
-      said.replaceChildren();
+      if (input.hasAttribute("aria-invalid")) input.removeAttribute("aria-invalid");
+      if (said.hasChildNodes()) said.replaceChildren();
     }
     const others: Problem[] = [];
     for (const problem of problems) {

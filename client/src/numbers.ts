@@ -22,6 +22,18 @@ function isPlace(data: object): data is Place {
   return "at" in data && "shape" in data && typeof data.at === "number" && Array.isArray(data.shape);
 }
 
+/** Whether two pieces of data are the same, number by number. */
+export function same(one: unknown, other: unknown): boolean {
+  if (Object.is(one, other)) return true;
+  if (typeof one !== "object" || typeof other !== "object" || one === null || other === null) return false;
+  if (one instanceof Float32Array || other instanceof Float32Array) {
+    if (!(one instanceof Float32Array && other instanceof Float32Array) || one.length !== other.length) return false;
+    return one.every((value, place) => Object.is(value, other[place]));
+  }
+  const [first, second] = [Object.entries(one), other as Record<string, unknown>];
+  return first.length === Object.keys(second).length && first.every(([name, value]) => name in second && same(value, second[name]));
+}
+
 /** A number, NaN where there is none. */
 export const number = (one: Float | undefined): number => one ?? NaN;
 

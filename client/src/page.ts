@@ -1,13 +1,13 @@
 // A page of one machine: the mechanism beside its curves, tab by tab, all at one crank angle.
 
-import { placeIn, remember, withPlace } from "./address.ts";
-import { curves, lineSample, type Shown } from "./curves.ts";
-import type { PageTrust, Ruler, PageSheet, ShownMachine, TabContent } from "./data.ts";
+import type { Address } from "./address.ts";
+import type { PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
+import { dragged, pressed } from "./hands.ts";
 import { Mechanism } from "./mechanism.ts";
-import { number } from "./numbers.ts";
-import { bars, polars, shapes, stars, wear } from "./plane.ts";
-import { answer, checks, table } from "./tables.ts";
+import { number, same } from "./numbers.ts";
+import { Sheets } from "./sheets.ts";
+import { answer, checks } from "./tables.ts";
 import { Turning } from "./turning.ts";
 import { said } from "./words.ts";
 
@@ -17,140 +17,208 @@ const LONG = 180;
 /** Width of a drawing in parts of its height from which on it stands over all else. */
 const WIDE = 1.8;
 
-type Part = PageSheet["columns"][number][number];
-
 /** Where more of a page is from, that it did not come with. */
 export interface Source {
-  readonly tab: (place: number) => Promise<TabContent>;
+  readonly tab: (name: string) => Promise<TabContent>;
   readonly trust: () => Promise<PageTrust>;
 }
 
-/** Show a machine in an element; give what ends that. */
-export function showPage(page: ShownMachine, into: HTMLElement, source?: Source): () => void {
-  const { words } = page;
-  const ended = new AbortController();
-  const mechanism = new Mechanism(page.drawing, words.drawing);
-  const cycle = number(page.cycle);
-  const start = placeIn(location.hash);
-  let shown: Shown[] = [];
-  let chosen = Math.min(start.tab, page.tabs.length - 1);
-  const slider = html("input", { type: "range", min: 0, max: cycle, step: 1, value: 0, "aria-label": words.angle });
-  const reading = html("output", { class: "angle" });
-  const play = html("button", { type: "button", class: "play" });
-  const turning = new Turning(cycle, (angle, isPlaying) => {
-    mechanism.show(angle);
-    for (const one of shown) one.show(angle);
-    slider.value = `${angle}`;
-    reading.textContent = `φ = ${isPlaying ? Math.round(angle) : +angle.toFixed(1)}°`;
-    const word = isPlaying ? words.stop : words.play;
-    if (!isPlaying || play.title !== word) keep();
-    if (play.title !== word) {
-      play.title = word;
-      play.setAttribute("aria-label", word);
-      play.textContent = isPlaying ? "❚❚" : "▶";
-    }
-  });
-  const keep = (): void => { remember(withPlace(location.hash, { tab: chosen, angle: turning.isPlaying ? NaN : turning.angle })); };
-  const turned = (angle: number): void => { turning.stop(); turning.stand(angle); };
-  const step = (by: number, word: string): HTMLButtonElement => {
-    const button = html("button", { type: "button", title: word, "aria-label": word }, by < 0 ? "−1°" : "+1°");
-    button.addEventListener("click", () => { turning.step(by); });
-    return button;
-  };
-  play.addEventListener("click", () => { turning.toggle(); });
-  slider.addEventListener("input", () => { turned(Number(slider.value)); });
+/** A machine on a page; another, or the same with other numbers, takes its place where it stands. */
+export class MachinePage {
+  readonly turning: Turning;
+  private readonly address: Address;
+  private readonly title = html("h1", {});
+  private readonly made = html("p", {});
+  private readonly tabs = html("nav", { class: "tabs", role: "tablist" });
+  private readonly columns: HTMLElement;
+  private readonly stage = html("div", { class: "stage" });
+  private readonly slider = html("input", { type: "range", min: 0, step: 1, value: 0 });
+  private readonly reading = html("output", { class: "angle" });
+  private readonly play = html("button", { type: "button", class: "play" });
+  private readonly steps: readonly HTMLButtonElement[];
+  private readonly keys = html("p", { class: "keys" });
+  private readonly leftOut = html("p", { class: "note" });
+  private readonly answers = html("div", { class: "answers" });
+  private readonly checked = html("div", {});
+  private readonly toMind = html("div", {});
+  private readonly sheets: Sheets;
+  private readonly panel: HTMLElement;
+  private mechanism: Mechanism;
+  private page: ShownMachine;
+  private source: Source | undefined;
+  private contents = new Map<string, TabContent | null>();
+  private trust: PageTrust | null = null;
 
-  const left = html("div", { class: "answers" });
-  const right = html("div", { class: "sheets", role: "tabpanel" });
-  const tabs = page.tabs.map((tab, place) => {
-    const button = html("button", { type: "button", role: "tab", id: `tab-${place}` }, said(tab.title));
-    button.addEventListener("click", () => { choose(place); });
-    return button;
-  });
-  const contents: (TabContent | null)[] = page.tabs.map((tab) => tab.content);
-  const choose = (place: number): void => {
-    if (!page.tabs[place]) return;
-    chosen = place;
-    tabs.forEach((button, other) => {
-      button.setAttribute("aria-selected", `${other === place}`);
-      button.tabIndex = other === place ? 0 : -1;
+  constructor(page: ShownMachine, into: HTMLElement, address: Address, source?: Source) {
+    this.page = page;
+    this.address = address;
+    this.mechanism = new Mechanism(page.drawing, page.words.drawing);
+    this.turning = new Turning(number(page.cycle), (angle, isPlaying) => { this.stand(angle, isPlaying); });
+    const turned = (angle: number): void => {
+      this.turning.stop();
+      this.turning.stand(angle);
+    };
+    this.sheets = new Sheets(turned);
+    this.panel = html("div", { class: "sheets", role: "tabpanel" }, this.sheets.element);
+    this.steps = [-1, 1].map((by) => {
+      const button = html("button", { type: "button" }, by < 0 ? "−1°" : "+1°");
+      button.addEventListener("click", () => { this.turning.step(by); });
+      return button;
     });
-    right.setAttribute("aria-labelledby", `tab-${place}`);
-    keep();
-    right.classList.toggle("computing", !contents[place]);
-    const content = contents[place];
-    if (content) fill(content);
-    else {
-      void source?.tab(place).then((found) => {
-        contents[place] = found;
-        if (chosen === place && !ended.signal.aborted) fill(found);
-      });
+    this.play.addEventListener("click", () => { this.turning.toggle(); });
+    this.slider.addEventListener("input", () => { turned(Number(this.slider.value)); });
+    this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
+    const right = html("section", { class: "right" }, this.toMind, this.panel);
+    const [back, on] = this.steps as [HTMLButtonElement, HTMLButtonElement];
+    this.columns = html(
+      "div", { class: "columns" },
+      html("section", { class: "drawing" }, this.stage, html("div", { class: "turning-controls" }, this.play, back, this.slider, on, this.reading), this.keys, this.leftOut),
+      html("section", { class: "left" }, this.answers, this.checked),
+      right,
+    );
+    into.replaceChildren(html("header", { class: "head" }, this.title, this.made), this.tabs, this.columns);
+    dragged(this.stage, () => this.mechanism, this.turning);
+    document.addEventListener("keydown", (event) => { pressed(event, this.turning); });
+    let width = right.clientWidth;
+    new ResizeObserver(() => {
+      if (right.clientWidth === width) return;
+      width = right.clientWidth;
+      this.sheets.fit();
+    }).observe(right);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.sheets.fit(); });
+    const { angle } = address.place;
+    this.turning.stand(Number.isNaN(angle) ? 0 : angle);
+    this.fill(page, source);
+    if (Number.isNaN(angle) && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.turning.play();
+  }
+
+  /** Show a machine in place of what is shown; its tab, its crank angle and all that stays the same stay. */
+  take(page: ShownMachine, source?: Source): void {
+    const { drawing, words } = this.page;
+    if (!same([drawing, words.drawing], [page.drawing, page.words.drawing])) this.mechanism = new Mechanism(page.drawing, page.words.drawing);
+    this.fill(page, source);
+  }
+
+  private fill(page: ShownMachine, source: Source | undefined): void {
+    const { words } = page;
+    this.page = page;
+    this.source = source;
+    this.contents = new Map(page.tabs.map((tab) => [tab.name, tab.content]));
+    const [title, made] = page.name ? [page.name, page.made_of] : [page.made_of, ""];
+    write(this.title, title);
+    write(this.made, made);
+    this.fillTabs(page.tabs);
+    this.turning.cycle = number(page.cycle);
+    this.slider.max = `${number(page.cycle)}`;
+    this.slider.setAttribute("aria-label", words.angle);
+    this.steps.forEach((button, place) => {
+      button.title = place ? words.on : words.back;
+      button.setAttribute("aria-label", button.title);
+    });
+    write(this.keys, words.keys);
+    write(this.leftOut, page.drawing.left_out.length ? `${words.left_out} ${page.drawing.left_out.join(", ")}` : "");
+    if (this.stage.firstChild !== this.mechanism.element) this.stage.replaceChildren(this.mechanism.element);
+    this.columns.classList.toggle("wide", this.mechanism.aspect > WIDE);
+    if (page.trust) this.rely(page.trust);
+    else void source?.trust().then((found) => { if (this.source === source) this.rely(found); });
+    this.choose(this.chosen);
+  }
+
+  /** Show a tab, as soon as it is there. */
+  private choose(tab: PageTab | undefined): void {
+    if (!tab) return;
+    const { name } = tab;
+    for (const button of this.buttons) {
+      const isChosen = button.value === name;
+      button.setAttribute("aria-selected", `${isChosen}`);
+      button.tabIndex = isChosen ? 0 : -1;
+      if (isChosen) this.panel.setAttribute("aria-labelledby", button.id);
     }
-  };
-  const fill = (content: TabContent): void => {
-    right.classList.remove("computing");
-    shown = [];
-    left.replaceChildren(answer(content.answer));
-    right.replaceChildren(...sheetsOf(content, turned, shown));
-    for (const one of shown) one.fit();
-    turning.stand(turning.angle);
-  };
-  const list = html("nav", { class: "tabs", role: "tablist" }, ...tabs);
-  list.addEventListener("keydown", (event) => {
+    this.keep(name);
+    const content = this.contents.get(name);
+    this.panel.classList.toggle("computing", !content);
+    if (content) {
+      this.show(content);
+      return;
+    }
+    const { source } = this;
+    void source?.tab(name).then((found) => {
+      if (this.source !== source) return;
+      this.contents.set(name, found);
+      if (this.chosen?.name === name) this.show(found);
+    });
+  }
+
+  private show(content: TabContent): void {
+    this.panel.classList.remove("computing");
+    this.answers.replaceChildren(answer(content.answer));
+    this.sheets.take(content);
+    this.turning.stand(this.turning.angle);
+  }
+
+  /** Say what is to be minded, and how checks came out. */
+  private rely(found: PageTrust): void {
+    if (same(found, this.trust)) return;
+    this.trust = found;
+    this.toMind.replaceChildren(...minded(found.to_mind));
+    this.checked.replaceChildren(checks(found.checks, this.page.words.checks));
+  }
+
+  private stand(angle: number, isPlaying: boolean): void {
+    const { words } = this.page;
+    this.mechanism.show(angle);
+    this.sheets.show(angle);
+    this.slider.value = `${angle}`;
+    this.reading.textContent = `φ = ${isPlaying ? Math.round(angle) : +angle.toFixed(1)}°`;
+    const word = isPlaying ? words.stop : words.play;
+    if (!isPlaying || this.play.title !== word) this.keep(this.address.place.tab);
+    if (this.play.title === word) return;
+    this.play.title = word;
+    this.play.setAttribute("aria-label", word);
+    this.play.textContent = isPlaying ? "❚❚" : "▶";
+  }
+
+  private keep(tab: string): void {
+    this.address.stand({ tab, angle: this.turning.isPlaying ? NaN : this.turning.angle });
+  }
+
+  /** The tab that the address names, or the first. */
+  private get chosen(): PageTab | undefined {
+    const { tab } = this.address.place;
+    return this.page.tabs.find((one) => one.name === tab) ?? this.page.tabs[0];
+  }
+
+  private get buttons(): HTMLButtonElement[] {
+    return [...this.tabs.querySelectorAll("button")];
+  }
+
+  private fillTabs(tabs: readonly PageTab[]): void {
+    if (same(this.buttons.map((one) => [one.value, one.title]), tabs.map((one) => [one.name, one.title]))) return;
+    const made = tabs.map((tab, place) => {
+      const button = html("button", { type: "button", role: "tab", id: `tab-${place}`, value: tab.name, title: tab.title }, said(tab.title));
+      button.addEventListener("click", () => { this.choose(this.page.tabs.find((one) => one.name === tab.name)); });
+      return button;
+    });
+    this.tabs.replaceChildren(...made);
+  }
+
+  /** Arrow keys go from tab to tab. */
+  private walk(event: KeyboardEvent): void {
     const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (!by) return;
     event.preventDefault();
     event.stopPropagation();
-    const now = tabs.findIndex((one) => one.tabIndex === 0);
-    const next = (now + by + tabs.length) % tabs.length;
-    choose(next);
-    tabs[next]?.focus();
-  });
+    const { buttons } = this;
+    const now = buttons.findIndex((one) => one.tabIndex === 0);
+    const next = (now + by + buttons.length) % buttons.length;
+    this.choose(this.page.tabs[next]);
+    buttons[next]?.focus();
+  }
+}
 
-  const toMind = html("div", {});
-  const checked = html("div", {});
-  const trusted = (found: PageTrust): void => {
-    toMind.replaceChildren(...minded(found.to_mind));
-    checked.replaceChildren(checks(found.checks, words.checks));
-  };
-  if (page.trust) trusted(page.trust);
-  else void source?.trust().then((found) => { if (!ended.signal.aborted) trusted(found); });
-
-  into.replaceChildren(
-    html("header", { class: "head" }, html("h1", {}, page.name || page.made_of), ...(page.name ? [html("p", {}, page.made_of)] : [])),
-    list,
-    html(
-      "div", { class: `columns ${mechanism.aspect > WIDE ? "wide" : ""}` },
-      html(
-        "section", { class: "drawing" },
-        mechanism.element,
-        html("div", { class: "turning-controls" }, play, step(-1, words.back), slider, step(1, words.on), reading),
-        html("p", { class: "keys" }, words.keys),
-        ...(page.drawing.left_out.length ? [html("p", { class: "note" }, `${words.left_out} ${page.drawing.left_out.join(", ")}`)] : []),
-      ),
-      html("section", { class: "left" }, left, checked),
-      html("section", { class: "right" }, toMind, right),
-    ),
-  );
-  dragged(mechanism, turning);
-  document.addEventListener("keydown", (event) => { pressed(event, turning); }, { signal: ended.signal });
-  const fit = (): void => { for (const one of shown) one.fit(); };
-  let width = right.clientWidth;
-  const room = new ResizeObserver(() => {
-    if (right.clientWidth === width) return;
-    width = right.clientWidth;
-    fit();
-  });
-  room.observe(right);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", fit, { signal: ended.signal });
-  turning.stand(Number.isNaN(start.angle) ? 0 : start.angle);
-  choose(chosen);
-  if (Number.isNaN(start.angle) && !matchMedia("(prefers-reduced-motion: reduce)").matches) turning.play();
-  return () => {
-    turning.end();
-    room.disconnect();
-    ended.abort();
-  };
+/** Write words where others stand. */
+function write(into: HTMLElement, words: string): void {
+  if (into.textContent !== words) into.textContent = words;
 }
 
 /** What is to be minded: of a long list its head, and all of it where somebody asks. */
@@ -162,85 +230,4 @@ function minded(sentences: readonly string[]): HTMLElement[] {
     return html("li", {}, html("details", {}, html("summary", {}, said(head ?? ""), " …"), said(rest.join(": "))));
   });
   return [html("ul", { class: "to-mind" }, ...items)];
-}
-
-/** Keys turn the crank, unless somebody types. */
-function pressed(event: KeyboardEvent, turning: Turning): void {
-  const { target } = event;
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT|SUMMARY)$/.test(target.tagName))) return;
-  if (target instanceof HTMLInputElement && target.type !== "range") return;
-  const by = event.shiftKey ? 10 : 1;
-  if (event.key === "ArrowRight") turning.step(by);
-  else if (event.key === "ArrowLeft") turning.step(-by);
-  else if (event.key === "Home") turning.step(-turning.angle);
-  else if (event.key === " " && !(target instanceof HTMLButtonElement)) turning.toggle();
-  else return;
-  event.preventDefault();
-}
-
-/** Dragging round the first shaft turns the crank. */
-function dragged(mechanism: Mechanism, turning: Turning): void {
-  const { element } = mechanism;
-  let before = NaN;
-  const direction = (event: PointerEvent): number => mechanism.directionOf(event.clientX, event.clientY);
-  element.addEventListener("pointerdown", (event) => {
-    turning.stop();
-    element.setPointerCapture(event.pointerId);
-    before = direction(event);
-  });
-  element.addEventListener("pointermove", (event) => {
-    if (Number.isNaN(before)) return;
-    const now = direction(event);
-    const by = ((now - before + 540) % 360) - 180;
-    before = now;
-    turning.stand(turning.angle + by);
-  });
-  for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, () => { before = NaN; });
-}
-
-function sheetsOf(tab: TabContent, turned: (angle: number) => void, shown: Shown[]): HTMLElement[] {
-  return tab.sheets.map((sheet) => {
-    const columns = sheet.columns.filter((parts) => parts.length).map((parts) => html("div", { class: "column" }, ...parts.map((part) => drawn(part, turned, shown))));
-    const heads = sheet.title ? [html("h2", {}, said(sheet.title))] : [];
-    return html("section", { class: "sheet" }, ...heads, html("div", { class: `sheet-columns of-${columns.length}` }, ...columns));
-  });
-}
-
-/** Draw a part of a sheet; what stands at the crank angle is among what is shown. */
-function drawn(part: Part, turned: (angle: number) => void, shown: Shown[]): HTMLElement {
-  switch (part.is) {
-    case "PageCurves":
-      return moving(curves(part, turned), shown);
-    case "PagePolars":
-      return moving(polars(part), shown);
-    case "Bars":
-      return bars(part);
-    case "Stars":
-      return stars(part);
-    case "PageWear":
-      return wear(part);
-    case "ShaftShapes":
-      return shapes(part);
-    case "PageTable":
-      return table(part);
-    case "Notes":
-      return html("div", { class: "notes" }, ...part.sentences.map((one) => html("p", {}, said(one))));
-    case "Ruler":
-      return ruler(part);
-  }
-}
-
-function ruler(part: Ruler): HTMLElement {
-  const marks = part.marks.map((mark) => {
-    const words = `${mark.is_top ? "▼" : "▽"} ${mark.name} ${number(mark.angle).toFixed(2)}°`;
-    return html("span", { title: mark.word }, words);
-  });
-  const beside = part.textbook ? [html("span", {}, lineSample("textbook"), " ", said(part.textbook))] : [];
-  return html("p", { class: "ruler" }, html("b", {}, said(part.heading)), ...marks, ...beside);
-}
-
-function moving(one: Shown, shown: Shown[]): HTMLElement {
-  shown.push(one);
-  return one.element;
 }

@@ -3,9 +3,10 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 
+import { Address } from "./address.ts";
 import type { ShownMachine } from "./data.ts";
 import { revived } from "./numbers.ts";
-import { showPage } from "./page.ts";
+import { MachinePage } from "./page.ts";
 
 async function opened(id: string): Promise<ArrayBuffer> {
   const text = document.getElementById(id)?.textContent ?? "";
@@ -17,7 +18,7 @@ async function start(): Promise<void> {
   const [data, numbers] = await Promise.all([opened("data"), opened("numbers")]);
   const page = revived(JSON.parse(new TextDecoder().decode(data)), new Float32Array(numbers)) as ShownMachine;
   const into = document.getElementById("page");
-  if (into) showPage(page, into);
+  if (into) new MachinePage(page, into, new Address());
 }
 
 void start();

@@ -11,7 +11,7 @@ export class Turning {
   angle = 0;
   isPlaying = false;
   /** After which all begins again. [deg] */
-  readonly cycle: number;
+  cycle: number;
   private readonly changed: (angle: number, isPlaying: boolean) => void;
   private readonly frame: Frame;
   private last = 0;
@@ -47,11 +47,6 @@ export class Turning {
     if (!this.isPlaying) return;
     this.isPlaying = false;
     this.stand(Math.round(this.angle));
-  }
-
-  /** Stand where it is, and say nothing of it. */
-  end(): void {
-    this.isPlaying = false;
   }
 
   toggle(): void {

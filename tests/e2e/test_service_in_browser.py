@@ -94,6 +94,7 @@ def test_a_link_gives_the_same_machine_with_the_same_numbers(opened):
     page = opened("#machine=textbook_78x78&phi=30")
     typed(page, "stroke", "80 mm")
     settled(page, "stroke", "80.00")
+    page.wait_for_url(re.compile("=80"))
     again = opened(page.url[page.url.index("#") :])
     settled(again, "stroke", "80.00")
     assert again.locator("output.angle").inner_text() == "φ = 30°"
@@ -147,6 +148,18 @@ def test_the_machine_file_is_saved_with_its_comments(opened):
     text = download.value.path().read_text(encoding="utf-8")
     assert tomllib.loads(text)["cylinder"]["bore"] == "151 mm"
     assert "# " in text
+
+
+def test_what_stays_the_same_stays_where_it_is(opened):
+    page = opened("#machine=3d12&phi=70&tab=Largest+forces")
+    page.locator(".panel").first.wait_for()
+    page.evaluate("for (const one of document.querySelectorAll('svg.mechanism, .panel, .tabs button')) one.kept = true")
+    typed(page, "speed", "1800 rpm")
+    page.locator(".head p", has_text="1800 rpm").wait_for()
+    panels = page.locator(".stack .panel")
+    assert panels.evaluate_all("all => all.every(one => one.kept)") and panels.count() > 2
+    assert page.locator("svg.mechanism").evaluate("one => one.kept")
+    assert page.locator("output.angle").inner_text() == "φ = 70°"
 
 
 def test_only_the_last_of_many_edits_is_shown(opened):

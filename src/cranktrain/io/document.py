@@ -92,9 +92,13 @@ class Document:
         return cls(text, name)
 
     @cached_property
+    def _parsed(self) -> dict[str, object]:
+        return parsed(self.text, self.name)
+
+    @property
     def data(self) -> dict[str, object]:
         """The tables, keys and values of the text; `InputError` where it is not TOML or says nothing."""
-        data = parsed(self.text, self.name)
+        data = self._parsed
         if not data:
             raise refusal(self.name, _("no machine in it"), _("start with `cranktrain new slider_crank`"))
         return data
@@ -179,7 +183,7 @@ class Document:
         """
         from cranktrain.io.editing import with_value
 
-        parsed(self.text, self.name)
+        _tables = self._parsed  # what is wrong already is said first
         for text in (path, given):
             Document.from_text(text, f"{path}={given}".encode(errors="backslashreplace").decode())
         return Document(with_value(self._source, path, given).decode(), self.name)

@@ -12,7 +12,7 @@ from cranktrain.paths import parts_of
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.packed import Packed, packed
-from cranktrain.web.page import ShownMachine, machine_page, page_trust, tab_content, tab_titles
+from cranktrain.web.page import ShownMachine, machine_page, page_trust, tab_content, tab_names
 
 _MOST_KEPT = 4
 """Machines of which what was computed is kept for what the same page asks next."""
@@ -83,7 +83,7 @@ class Case(NamedTuple):
     source: str
     settings: tuple[str, ...] = ()
 
-    def packed_page(self, tab: int) -> Packed:
+    def packed_page(self, tab: str) -> Packed:
         """Compute what a page shows with a tab open, and pack it.
 
         Raises
@@ -95,12 +95,12 @@ class Case(NamedTuple):
         with result.in_its_units():
             return packed(PageCase(machine_page(result, tab), _tables(file), _case_words()))
 
-    def packed_tab(self, tab: int) -> Packed:
-        """Compute what stands on a tab, from 0, or on the last where there are fewer, and pack it; as `packed_page`."""
+    def packed_tab(self, tab: str) -> Packed:
+        """Compute what stands on a tab, or on the first where there is none of the name, and pack it; as `packed_page`."""
         _file, result = self._computed()
-        titles = tab_titles(result)
+        names = tab_names(result)
         with result.in_its_units():
-            return packed(tab_content(result, titles[min(tab, len(titles) - 1)]))
+            return packed(tab_content(result, tab if tab in names else names[0]))
 
     def packed_trust(self) -> Packed:
         """Compute what is to be minded, and all checks, and pack them; as `packed_page`."""

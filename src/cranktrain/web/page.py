@@ -44,11 +44,14 @@ class PageTab:
 
     Attributes
     ----------
+    name : str
+        The title whatever the language: what a link has.
     title : Words
     content : TabContent or None
         None of a tab that was not asked for.
     """
 
+    name: str
     title: Words
     content: "TabContent | None"
 
@@ -135,15 +138,16 @@ class ShownMachine:
     words: PageWords
 
 
-def machine_page(result: Result, tab: int | None = None) -> ShownMachine:
+def machine_page(result: Result, tab: str | None = None) -> ShownMachine:
     """Collect what a page shows of a machine.
 
     Parameters
     ----------
     result : Result
         Of one machine, with everything that it allows.
-    tab : int, optional
-        Which tab alone has its content, from 0, or the last where there are fewer; all tabs unless given, and trust.
+    tab : str, optional
+        Which tab alone has its content, by its name, or the first where there is none of it; all tabs unless given, and
+        trust.
 
     Returns
     -------
@@ -152,15 +156,14 @@ def machine_page(result: Result, tab: int | None = None) -> ShownMachine:
     machine = result.machines[0]
     name, made_of = headed(result)
     throw = first_throw(machine)
-    titles = tab_titles(result)
-    asked = range(len(titles)) if tab is None else (min(tab, len(titles) - 1),)
+    titles = tab_names(result)
+    asked = titles if tab is None else (tab if tab in titles else titles[0],)
     return ShownMachine(
         name=name,
         made_of=made_of,
         cycle=result.cycle,
         tabs=tuple(
-            PageTab(_(title), tab_content(result, title) if place in asked else None)
-            for place, title in enumerate(titles)
+            PageTab(title, _(title), tab_content(result, title) if title in asked else None) for title in titles
         ),
         trust=page_trust(result) if tab is None else None,
         drawing=machine_drawing(
@@ -170,7 +173,7 @@ def machine_page(result: Result, tab: int | None = None) -> ShownMachine:
     )
 
 
-def tab_titles(result: Result) -> tuple[str, ...]:
+def tab_names(result: Result) -> tuple[str, ...]:
     """Titles of questions that have an answer or a picture, in the order in which people ask them."""
     with_rows = answer_titles(result)
     titles = dict.fromkeys(question.title for question in result.machines[0].questions)
@@ -178,7 +181,7 @@ def tab_titles(result: Result) -> tuple[str, ...]:
 
 
 def tab_content(result: Result, title: str) -> TabContent:
-    """Collect rows and sheets under a title."""
+    """Collect rows and sheets under a title, which is the name of a tab."""
     return TabContent(written_group(_(title), rows_under(result, title)), tuple(_sheets(result, title)))
 
 

@@ -81,7 +81,9 @@ class CaseAsked(BaseModel):
 class PageAsked(CaseAsked):
     """A machine, and which tab is open."""
 
-    tab: Annotated[int, Field(ge=0, le=1000, description="From 0; the last where there are fewer.")] = 0
+    tab: Annotated[
+        str, Field(max_length=_LONGEST, description="By its name; the first where there is none of it.")
+    ] = ""
 
 
 class ProblemSaid(BaseModel):

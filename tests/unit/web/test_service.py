@@ -49,17 +49,17 @@ def test_inputs_are_those_of_the_file(client):
 
 
 def test_only_the_open_tab_has_its_content_and_others_come_when_they_are_asked_for(client):
-    data, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": 3}))
+    data, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": "Largest forces"}))
     tabs = data["machine"]["tabs"]
     assert [tab["title"] for tab in tabs if tab["content"]] == ["Largest forces"]
     assert data["machine"]["trust"] is None
-    whole, _numbers = opened(client.post("/api/tab", json={"machine": "3d12", "tab": len(tabs) - 1}))
+    whole, _numbers = opened(client.post("/api/tab", json={"machine": "3d12", "tab": tabs[-1]["name"]}))
     assert whole["answer"]["title"] == "Main bearings"
     trust, _numbers = opened(client.post("/api/trust", json={"machine": "3d12"}))
     assert len(trust["checks"]) == len(ct.run("3d12").checks)
     assert any("[masses.crank]" in sentence for sentence in trust["to_mind"])
-    last, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": 999}))
-    assert last["machine"]["tabs"][-1]["content"]["answer"]["title"] == "Main bearings"
+    first, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": "Nothing"}))
+    assert first["machine"]["tabs"][0]["content"]["answer"]["title"] == tabs[0]["title"]
 
 
 def test_a_served_file_that_was_written_anew_is_read_anew(tmp_path):

@@ -3,6 +3,7 @@
 These say it as data, so that the terminal can name all pictures without loading what draws them.
 """
 
+from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
 
@@ -11,14 +12,18 @@ from cranktrain.panels.picture import Picture
 
 def pictures_of(question: str) -> tuple[Picture, ...]:
     """Give the pictures of a question, by the name of its folder; none of one that has no folder here."""
-    known = {module.name for module in iter_modules(__path__)}
-    return tuple(import_module(f"{__name__}.{question}").PICTURES) if question in known else ()
+    return tuple(import_module(f"{__name__}.{question}").PICTURES) if question in _folders() else ()
+
+
+@cache
+def _folders() -> tuple[str, ...]:
+    """Names of the questions that have a folder, in their order."""
+    return tuple(sorted(module.name for module in iter_modules(__path__)))
 
 
 def _in_order() -> list[Picture]:
     """All of them by the names of their questions, but one that follows another question's behind that."""
-    names = sorted(module.name for module in iter_modules(__path__))
-    found = [picture for question in names for picture in pictures_of(question)]
+    found = [picture for question in _folders() for picture in pictures_of(question)]
     for picture in [one for one in found if one.follows]:
         found.remove(picture)
         found.insert([one.name for one in found].index(picture.follows) + 1, picture)

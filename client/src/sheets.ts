@@ -1,0 +1,136 @@
+// Sheets of a tab: their parts, which take other values where they stand.
+
+import { lineSample, ShownCurves, type Shown } from "./curves.ts";
+import type { PageSheet, Ruler, TabContent } from "./data.ts";
+import { html } from "./elements.ts";
+import { number, same } from "./numbers.ts";
+import { bars, polars, shapes, stars, wear } from "./plane.ts";
+import { table } from "./tables.ts";
+import { said } from "./words.ts";
+
+type Part = PageSheet["columns"][number][number];
+type Turned = (angle: number) => void;
+
+/** The sheets of a tab. */
+export class Sheets {
+  readonly element = html("div", {});
+  private readonly turned: Turned;
+  private sheets: readonly PageSheet[] = [];
+  private parts: ShownPart[] = [];
+
+  constructor(turned: Turned) {
+    this.turned = turned;
+  }
+
+  /** Show the sheets of a tab; those that have the same parts stay, and their parts change. */
+  take(content: TabContent): void {
+    const isOfTheSameParts = same(this.sheets.map(frameOf), content.sheets.map(frameOf));
+    this.sheets = content.sheets;
+    if (isOfTheSameParts) {
+      partsOf(content.sheets).forEach((part, place) => this.parts[place]?.take(part));
+      return;
+    }
+    this.parts = [];
+    this.element.replaceChildren(...content.sheets.map((sheet) => this.sheet(sheet)));
+    this.fit();
+  }
+
+  /** Stand at a crank angle. [deg] */
+  show(angle: number): void {
+    for (const one of this.parts) one.show(angle);
+  }
+
+  /** Take the width and the colours of what they stand in. */
+  fit(): void {
+    for (const one of this.parts) one.fit();
+  }
+
+  private sheet(sheet: PageSheet): HTMLElement {
+    const columns = sheet.columns.filter((parts) => parts.length).map((parts) => {
+      const shown = parts.map((part) => new ShownPart(part, this.turned));
+      this.parts.push(...shown);
+      return html("div", { class: "column" }, ...shown.map((one) => one.element));
+    });
+    const heads = sheet.title ? [html("h2", {}, said(sheet.title))] : [];
+    return html("section", { class: "sheet" }, ...heads, html("div", { class: `sheet-columns of-${columns.length}` }, ...columns));
+  }
+}
+
+/** What of a sheet is no value of its parts. */
+const frameOf = (sheet: PageSheet): unknown => [sheet.title, sheet.columns.map((parts) => parts.map((part) => part.is))];
+
+const partsOf = (sheets: readonly PageSheet[]): Part[] => sheets.flatMap((sheet) => sheet.columns.flat());
+
+/** A part of a sheet as it is shown. */
+class ShownPart {
+  private readonly turned: Turned;
+  private part: Part;
+  private shown: Shown;
+  private angle = 0;
+
+  constructor(part: Part, turned: Turned) {
+    this.part = part;
+    this.turned = turned;
+    this.shown = drawn(part, turned);
+  }
+
+  get element(): HTMLElement {
+    return this.shown.element;
+  }
+
+  take(part: Part): void {
+    if (same(this.part, part)) return;
+    this.part = part;
+    if (this.shown instanceof ShownCurves && part.is === "PageCurves" && this.shown.take(part)) return;
+    const before = this.shown.element;
+    this.shown = drawn(part, this.turned);
+    before.replaceWith(this.shown.element);
+    this.shown.fit();
+    this.shown.show(this.angle);
+  }
+
+  show(angle: number): void {
+    this.angle = angle;
+    this.shown.show(angle);
+  }
+
+  fit(): void {
+    this.shown.fit();
+  }
+}
+
+/** Draw a part of a sheet. */
+function drawn(part: Part, turned: Turned): Shown {
+  switch (part.is) {
+    case "PageCurves":
+      return new ShownCurves(part, turned);
+    case "PagePolars":
+      return polars(part);
+    case "Bars":
+      return standing(bars(part));
+    case "Stars":
+      return standing(stars(part));
+    case "PageWear":
+      return standing(wear(part));
+    case "ShaftShapes":
+      return standing(shapes(part));
+    case "PageTable":
+      return standing(table(part));
+    case "Notes":
+      return standing(html("div", { class: "notes" }, ...part.sentences.map((one) => html("p", {}, said(one)))));
+    case "Ruler":
+      return standing(ruler(part));
+  }
+}
+
+/** What stands still at all crank angles. */
+const standing = (element: HTMLElement): Shown => ({ element, show: () => undefined, fit: () => undefined });
+
+function ruler(part: Ruler): HTMLElement {
+  const marks = part.marks.map((mark) => {
+    const words = `${mark.is_top ? "▼" : "▽"} ${mark.name} ${number(mark.angle).toFixed(2)}°`;
+    return html("span", { title: mark.word }, words);
+  });
+  const beside = part.textbook ? [html("span", {}, lineSample("textbook"), " ", said(part.textbook))] : [];
+  return html("p", { class: "ruler" }, html("b", {}, said(part.heading)), ...marks, ...beside);
+}
