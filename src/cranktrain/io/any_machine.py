@@ -8,7 +8,7 @@ from typing import Any, TypeAlias, cast
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem, problems_as, refuse
-from cranktrain.io.curve_files import with_curves
+from cranktrain.io.curve_files import beside, with_curves
 from cranktrain.io.machine_file import SET, load_with
 from cranktrain.language import Words
 from cranktrain.language import said as _
@@ -134,7 +134,7 @@ def _with_files(machine: Machine, values: Mapping[str, object]) -> Machine:
         changed = machine.with_(values) if values else machine
     if changed.typed_in.reads:
         return changed
-    filled, found = with_curves(changed.declared, Path())
+    filled, found = with_curves(changed.declared, beside(Path()))
     refuse(found)
     return changed if filled == changed.declared else Machine(**filled).coming_from(_HERE)
 
@@ -153,7 +153,7 @@ def _of_tables(tables: Mapping[str, object], values: Mapping[str, object]) -> Ma
 
 def _here(data: Mapping[str, object]) -> tuple[dict[str, Any], tuple[Problem, ...]]:
     """Read the files that tables name, relative to the working folder."""
-    return with_curves(data, Path())
+    return with_curves(data, beside(Path()))
 
 
 _HERE = TypedFile(_here)

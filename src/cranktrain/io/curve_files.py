@@ -1,10 +1,11 @@
-"""Files of curves beside a machine file, such as indicator diagrams: found, decoded, put into the machine's tables."""
+"""Files of curves that a machine file names, such as indicator diagrams: found, decoded, put into its tables."""
 
 import codecs
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import cast
+from typing import TypeAlias, cast
 
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.errors import InputError, Problem, problems_as
@@ -17,6 +18,9 @@ from cranktrain.paths import item_at, path_text, replaced
 
 LARGEST_FILE = 16 * 2**20
 """Bytes; a cycle in steps of 0.1° has some 200 000."""
+
+CurveReader: TypeAlias = Callable[[str, str], str]
+"""Gives the text of a file by its name, as a table has it, and what it should be, as `TableFile` says it."""
 
 _WIDE = {codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
 
@@ -55,7 +59,7 @@ def curve_text(path: Path, name: str, noun: str) -> str:
     )
     encoding = _WIDE.get(content[:2])
     if encoding is None and b"\0" in content:
-        raise refusal(name, _("is no text: it has NUL bytes"), _("save it as CSV"))
+        raise _no_text(name)
     if encoding is not None:
         return content.decode(encoding, errors="replace")
     try:
@@ -64,16 +68,62 @@ def curve_text(path: Path, name: str, noun: str) -> str:
         return content.decode("cp1251", errors="replace")
 
 
-def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, object], tuple[Problem, ...]]:
+def _no_text(name: str) -> InputError:
+    return refusal(name, _("is no text: it has NUL bytes"), _("save it as CSV"))
+
+
+def beside(folder: Path) -> CurveReader:
+    """Read files of the disk.
+
+    Parameters
+    ----------
+    folder : Path
+        Where the machine file is: the paths of the others are relative to it. Beside an example are its own files
+        alone; others are relative to the working folder.
+
+    Returns
+    -------
+    callable
+    """
+    return partial(_of_disk, folder)
+
+
+def _of_disk(folder: Path, file: str, noun: str) -> str:
+    return curve_text(_place_of(file, folder), file, noun)
+
+
+def among(files: Mapping[str, str]) -> CurveReader:
+    """Read what was sent along with the text of a machine file; whatever a name says, the disk is not looked at.
+
+    Parameters
+    ----------
+    files : mapping of str
+        Texts by the names that tables have for them, letter by letter.
+
+    Returns
+    -------
+    callable
+    """
+    return partial(_of_those_sent, files)
+
+
+def _of_those_sent(files: Mapping[str, str], file: str, noun: str) -> str:
+    if file not in files:
+        raise refusal(file, _("is not among the files that came with the machine"), _("send {noun}", noun=_(noun)))
+    if "\0" in files[file]:
+        raise _no_text(file)
+    return files[file].removeprefix("\ufeff")
+
+
+def with_curves(data: Mapping[str, object], read: CurveReader) -> tuple[dict[str, object], tuple[Problem, ...]]:
     """Put what the files of curves hold into the tables that name them.
 
     Parameters
     ----------
     data : mapping
         The tables of a machine file.
-    folder : Path
-        Where the machine file is: the paths of the others are relative to it. Beside an example are its own files
-        alone; others are relative to the working folder.
+    read : callable
+        What gives their texts: `beside` a machine file, or `among` those that were sent.
 
     Returns
     -------
@@ -90,7 +140,7 @@ def with_curves(data: Mapping[str, object], folder: Path) -> tuple[dict[str, obj
     for curve in (one for one in each if one.table[0] in data):
         for path in _paths(data, curve):
             try:
-                filled = _filled(filled, path, curve, folder)
+                filled = _filled(filled, path, curve, read)
             except InputError as error:
                 found += error.problems
     return filled, tuple(found)
@@ -117,7 +167,7 @@ def _named(data: object, table: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
         yield from ((name, *rest) for name in names for rest in _named(found[name], table[1:]))
 
 
-def _filled(data: dict[str, object], parts: tuple[str, ...], curve: TableFile, folder: Path) -> dict[str, object]:
+def _filled(data: dict[str, object], parts: tuple[str, ...], curve: TableFile, read: CurveReader) -> dict[str, object]:
     """Put the text of one file into its table."""
     found = item_at(data, parts)
     table = cast("Mapping[str, object]", found if isinstance(found, Mapping) else {})
@@ -125,14 +175,14 @@ def _filled(data: dict[str, object], parts: tuple[str, ...], curve: TableFile, f
     if not isinstance(file, str) or table.get("kind") != curve.kind or table.get("text") is not None:
         return data
     with problems_as(lambda problem: replace(problem, path=f"{path_text(parts)}.file", given=file, position=None)):
-        text = curve_text(_place_of(file, folder), file, curve.noun)
+        text = read(file, curve.noun)
     return cast("dict[str, object]", replaced(data, (*parts, "text"), text))
 
 
 def _place_of(file: str, folder: Path) -> Path:
     """Where a file is that a table names."""
-    beside = folder / file
-    return Path(file) if folder == EXAMPLES_FOLDER and not _is_there(beside) else beside
+    there = folder / file
+    return Path(file) if folder == EXAMPLES_FOLDER and not _is_there(there) else there
 
 
 def _is_there(path: Path) -> bool:

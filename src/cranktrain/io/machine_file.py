@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
-from cranktrain.io.curve_files import with_curves
+from cranktrain.io.curve_files import CurveReader, among, beside, with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near, plain_name
 from cranktrain.language import said as _
@@ -98,10 +98,44 @@ def read_machine(
     InputError
         With everything that is wrong; a value from `settings` stands at `--set`, all else at its line of the file.
     """
-    typed = document_of(source)
+    folder = _folder_of(source)
+    return _with_set(document_of(source), settings, beside(folder), folder, partial=partial)
+
+
+def read_text(
+    text: str, files: Mapping[str, str], settings: Sequence[str] = (), *, partial: bool = False
+) -> MachineFile:
+    """Read a machine from the text of its file; nothing is read from the disk.
+
+    Parameters
+    ----------
+    text : str
+        Of a machine file.
+    files : mapping of str
+        Texts of the files that it names, by the names that it has for them.
+    settings, partial
+        As `read_machine` takes them.
+
+    Returns
+    -------
+    MachineFile
+
+    Raises
+    ------
+    InputError
+        As of `read_machine`.
+    """
+    typed = Document.from_text(text, _TEXT)
+    return _with_set(typed, settings, among(files), Path(), partial=partial)
+
+
+def _with_set(
+    typed: Document, settings: Sequence[str], curves: CurveReader, folder: Path, *, partial: bool
+) -> MachineFile:
+    """Make a machine of a document with some values set anew, and of what gives the files that it names."""
     document, paths = _with_settings(typed, settings)
     origin = Origin(typed, paths, _SETTING, ", ".join(settings))
-    return MachineFile(document, _checked(document.data, _folder_of(source), origin, partial=partial))
+    return MachineFile(document, _checked(document.data, curves, folder, origin, partial=partial))
 
 
 def load_with(
@@ -128,17 +162,19 @@ def load_with(
     InputError
         With everything that is wrong; one of the values stands at `set`, all else at its line of the file.
     """
-    typed = document_of(source)
+    typed, folder = document_of(source), _folder_of(source)
     with problems_as(lambda problem: replace(problem, position=SET)):
         data, paths = with_values(typed.data, values)
     origin = Origin(typed, paths, SET, ", ".join(values))
-    return MachineFile(typed, _checked(data, _folder_of(source), origin, partial=partial)), origin
+    return MachineFile(typed, _checked(data, beside(folder), folder, origin, partial=partial)), origin
 
 
-def _checked(data: Mapping[str, object], folder: Path, origin: Origin, *, partial: bool) -> Machine:
+def _checked(
+    data: Mapping[str, object], curves: CurveReader, folder: Path, origin: Origin, *, partial: bool
+) -> Machine:
     """Make a machine of its tables, with all that is wrong at its place."""
     # A curve that cannot be read is one problem among the others.
-    read = with_arguments(with_curves, folder=folder)
+    read = with_arguments(with_curves, read=curves)
     filled, found = read(in_place_of_lists(data, origin.paths))
     try:
         where = TypedFile(read, folder.absolute(), origin.typed.text, origin.typed.data)
@@ -241,6 +277,9 @@ def _folder_of(source: "str | os.PathLike[str]") -> Path:
 
 _SETTING, SET = Position("--set"), Position("set")
 """Where a setting stands that is wrong: in the terminal, and in Python."""
+
+_TEXT = "machine.toml"
+"""Name of a machine file of which there is the text alone, as messages have it."""
 
 MOST_SETTINGS = 100
 """Of one run: the file is read anew for each."""

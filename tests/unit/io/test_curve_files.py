@@ -4,10 +4,10 @@ import codecs
 import os
 
 import pytest
-from tests.sentences import LOOKED_FOR, NO_FILE
+from tests.sentences import LOOKED_FOR, NO_FILE, NOT_SENT
 
 from cranktrain.fluids.indicator.reading import read_trace
-from cranktrain.io.curve_files import LARGEST_FILE, curve_text, with_curves
+from cranktrain.io.curve_files import LARGEST_FILE, among, beside, curve_text, with_curves
 
 TEXT = "Угол, °;Давление, бар\r\n0;50,5\r\n1;51"
 ENCODED = {
@@ -44,7 +44,7 @@ def test_file_is_relative_to_the_machine_file(tmp_path):
     written(tmp_path, TEXT.encode())
     data = {"name": "x", "gas": GAS, "load": {"saw": {"on": "main", "file": "traces/a.csv"}}}
     filled = {"saw": {"on": "main", "file": "traces/a.csv", "text": TEXT}}
-    assert with_curves(data, tmp_path) == ({"name": "x", "gas": GAS | {"text": TEXT}, "load": filled}, ())
+    assert with_curves(data, beside(tmp_path)) == ({"name": "x", "gas": GAS | {"text": TEXT}, "load": filled}, ())
 
 
 def test_files_of_loads_of_banks_and_pistons(tmp_path):
@@ -53,7 +53,7 @@ def test_files_of_loads_of_banks_and_pistons(tmp_path):
     filled = {"load": {"x": {"file": "traces/a.csv", "text": TEXT}, "y": {"force": "1 N"}}}
     data = {"bank": {"A": {**load, "exhaust": load}, "B": {"angle": 3, "load": {"on": "rod"}}}}
     expected = {"bank": {"A": {**filled, "exhaust": filled}, "B": data["bank"]["B"]}}
-    assert with_curves(data, tmp_path) == (expected, ())
+    assert with_curves(data, beside(tmp_path)) == (expected, ())
 
 
 @pytest.mark.parametrize(
@@ -71,7 +71,7 @@ def test_files_of_loads_of_banks_and_pistons(tmp_path):
     ],
 )
 def test_nothing_else_is_read(data, tmp_path):
-    assert with_curves(data, tmp_path) == (data, ())
+    assert with_curves(data, beside(tmp_path)) == (data, ())
 
 
 @pytest.mark.parametrize(
@@ -89,13 +89,13 @@ def test_refused(content, message, tmp_path):
     written(tmp_path, b"", "traces/b.csv")
     if content is not None:
         written(tmp_path, content)
-    data, problems = with_curves({"gas": GAS}, tmp_path)
+    data, problems = with_curves({"gas": GAS}, beside(tmp_path))
     assert data == {"gas": GAS}
     assert [str(problem) for problem in problems] == [message.replace(WHERE, f"It {LOOKED_FOR} {tmp_path / 'traces'}")]
 
 
 @pytest.mark.parametrize(
-    ("missing", "beside", "guess"),
+    ("missing", "others", "guess"),
     [
         ("pumping.csv", ("pumping.toml",), None),
         ("pumping.csv", ("pumping.toml", "pumpnig.CSV"), "pumpnig.CSV"),
@@ -103,23 +103,23 @@ def test_refused(content, message, tmp_path):
         ("pumping", ("pumping.toml", "pumping.csv"), "pumping.csv"),
     ],
 )
-def test_a_file_that_is_missing_is_taken_for_no_file_of_another_kind(missing, beside, guess, tmp_path):
-    for name in beside:
+def test_a_file_that_is_missing_is_taken_for_no_file_of_another_kind(missing, others, guess, tmp_path):
+    for name in others:
         written(tmp_path, b"", name)
-    _data, (problem,) = with_curves({"gas": GAS | {"file": missing}}, tmp_path)
+    _data, (problem,) = with_curves({"gas": GAS | {"file": missing}}, beside(tmp_path))
     looked = f"t {LOOKED_FOR} {tmp_path}"
     assert problem.repair == (f"i{looked}" if guess is None else f"is it {guess}? I{looked}")
 
 
 def test_a_folder_is_no_diagram(tmp_path):
     written(tmp_path, b"")
-    _data, (problem,) = with_curves({"gas": GAS | {"file": "traces"}}, tmp_path)
+    _data, (problem,) = with_curves({"gas": GAS | {"file": "traces"}}, beside(tmp_path))
     assert "is a folder, not an indicator diagram; name a file in it" in str(problem)
 
 
 def test_all_files_that_are_missing_are_told(tmp_path):
     data = {"gas": GAS, "load": {"x": {"file": "b.csv"}}}
-    assert [problem.path for problem in with_curves(data, tmp_path)[1]] == ["gas.file", "load.x.file"]
+    assert [problem.path for problem in with_curves(data, beside(tmp_path))[1]] == ["gas.file", "load.x.file"]
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names on this system")
@@ -132,6 +132,21 @@ def test_all_files_that_are_missing_are_told(tmp_path):
 )
 def test_a_pipe_into_which_nobody_writes_is_refused_at_once(data, noun, tmp_path):
     os.mkfifo(tmp_path / "pipe")
-    _filled, (problem,) = with_curves(data, tmp_path)
+    _filled, (problem,) = with_curves(data, beside(tmp_path))
     assert problem.given == "pipe"
     assert problem.allowed == f"is a pipe or a device, not {noun}"
+
+
+def test_what_was_sent_is_found_by_its_name_and_the_disk_not_looked_at(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    path = written(tmp_path, TEXT.encode())
+    sent = {"traces/a.csv": f"\ufeff{TEXT} sent"}
+    assert with_curves({"gas": GAS}, among(sent)) == ({"gas": GAS | {"text": f"{TEXT} sent"}}, ())
+    for name in (str(path), "./traces/a.csv", "traces/../traces/a.csv", "traces\\a.csv", "TRACES/A.CSV", ""):
+        data, (problem,) = with_curves({"gas": GAS | {"file": name}}, among(sent))
+        assert data == {"gas": GAS | {"file": name}}
+        assert problem.path == "gas.file"
+        assert problem.given == name
+        assert problem.allowed == NOT_SENT
+        assert problem.repair == "send an indicator diagram"
+    assert "NUL" in str(with_curves({"gas": GAS}, among({"traces/a.csv": "0;1\0"}))[1][0])

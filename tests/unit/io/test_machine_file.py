@@ -5,7 +5,7 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.io.examples import example_called, example_names
-from cranktrain.io.machine_file import inputs_of, read_machine
+from cranktrain.io.machine_file import inputs_of, read_machine, read_text
 from cranktrain.paths import quantity_path
 
 MACHINE = '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n'
@@ -66,3 +66,21 @@ def statuses(data: object) -> int:
     if isinstance(data, dict):
         return ("status" in data) + sum(map(statuses, data.values()))
     return sum(map(statuses, data)) if isinstance(data, list) else 0
+
+
+def test_a_machine_of_a_text_is_that_of_its_file(tmp_path):
+    path = tmp_path / "m.toml"
+    path.write_text(MACHINE, encoding="utf-8")
+    settings = ["mechanism.rod_length=140 mm"]
+    of_file, of_text = read_machine(path, settings), read_text(MACHINE, {}, settings)
+    assert of_text.machine == of_file.machine
+    assert of_text.document.text == of_file.document.text
+
+
+@pytest.mark.parametrize("text", ["3d12", "/etc/passwd", "", "m.toml", "mechanism = 3\n"])
+def test_a_text_is_never_the_name_of_a_file(text, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "m.toml").write_text(MACHINE, encoding="utf-8")
+    with pytest.raises(ct.InputError) as caught:
+        read_text(text, {})
+    assert all(problem.position.file == "machine.toml" for problem in caught.value.problems)

@@ -8,7 +8,7 @@ import tomllib
 import pytest
 
 import cranktrain as ct
-from cranktrain.io.curve_files import with_curves
+from cranktrain.io.curve_files import beside, with_curves
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_names, example_text
 from cranktrain.io.half_read import problems_of_the_rest
 from cranktrain.machine import machine_problems
@@ -155,7 +155,7 @@ def faults_of(data):
 
 
 def told(data):
-    filled, unread = with_curves(data, folder=EXAMPLES_FOLDER)
+    filled, unread = with_curves(data, beside(EXAMPLES_FOLDER))
     try:
         found = machine_problems(ct.Machine(**filled))
     except ct.InputError as error:
