@@ -34,6 +34,15 @@ export function same(one: unknown, other: unknown): boolean {
   return first.length === Object.keys(second).length && first.every(([name, value]) => name in second && same(value, second[name]));
 }
 
+/** Numbers of which all first bytes stand first, then all second ones, and so on. */
+export function ofBytes(bytes: Uint8Array): Float32Array {
+  const size = Float32Array.BYTES_PER_ELEMENT;
+  const count = bytes.length / size;
+  const whole = new Uint8Array(bytes.length);
+  bytes.forEach((byte, place) => { whole[(place % count) * size + Math.floor(place / count)] = byte; });
+  return new Float32Array(whole.buffer);
+}
+
 /** A number, NaN where there is none. */
 export const number = (one: Float | undefined): number => one ?? NaN;
 

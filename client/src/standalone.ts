@@ -5,7 +5,7 @@ import "./style.css";
 
 import { Address } from "./address.ts";
 import type { ShownMachine } from "./data.ts";
-import { revived } from "./numbers.ts";
+import { ofBytes, revived } from "./numbers.ts";
 import { MachinePage } from "./page.ts";
 
 async function opened(id: string): Promise<ArrayBuffer> {
@@ -16,7 +16,7 @@ async function opened(id: string): Promise<ArrayBuffer> {
 
 async function start(): Promise<void> {
   const [data, numbers] = await Promise.all([opened("data"), opened("numbers")]);
-  const page = revived(JSON.parse(new TextDecoder().decode(data)), new Float32Array(numbers)) as ShownMachine;
+  const page = revived(JSON.parse(new TextDecoder().decode(data)), ofBytes(new Uint8Array(numbers))) as ShownMachine;
   const into = document.getElementById("page");
   if (into) new MachinePage(page, into, new Address());
 }

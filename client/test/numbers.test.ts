@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
-import { between, extent, figure, figures, interpolated, revived, row, ticks } from "../src/numbers.ts";
+import { between, extent, figure, figures, interpolated, ofBytes, revived, row, ticks } from "../src/numbers.ts";
 import type { Numbers } from "../src/data.ts";
 
 describe("arrays", () => {
@@ -10,6 +10,9 @@ describe("arrays", () => {
     const found = revived({ is: "X", deep: [{ at: 1, shape: [2, 3] }], name: "a" }, block) as { deep: [Numbers]; name: string };
     assert.equal(found.name, "a");
     assert.deepEqual(Array.from(row(found.deep[0], 1)), [3, 4, 5]);
+  });
+  it("come byte by byte", () => {
+    assert.deepEqual(Array.from(ofBytes(Uint8Array.from([0, 0, 0, 0, 0xc0, 0, 0x3f, 0xc0]))), [1.5, -2]);
   });
   it("have ends, of which NaN is none", () => {
     assert.deepEqual(extent([NaN, 2, -1]), [-1, 2]);
