@@ -12,12 +12,15 @@ export interface Place {
 export interface Asked {
   readonly machine: string;
   readonly settings: ReadonlyMap<string, string>;
+  /** A saved case that stands beside it. */
+  readonly beside?: Asked;
 }
 
 const TAB = "tab";
 const ANGLE = "phi";
 const MACHINE = "machine";
-const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, MACHINE]);
+const BESIDE = "beside";
+const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, MACHINE, BESIDE]);
 
 const parts = (hash: string): URLSearchParams => new URLSearchParams(hash.replace(/^#/, ""));
 
@@ -32,7 +35,8 @@ export function placeIn(hash: string): Place {
 export function askedIn(hash: string): Asked {
   const found = parts(hash);
   const settings = new Map([...found].filter(([name]) => !PARTS.has(name)));
-  return { machine: found.get(MACHINE) ?? "", settings };
+  const beside = found.get(BESIDE);
+  return { machine: found.get(MACHINE) ?? "", settings, ...(beside === null ? {} : { beside: askedIn(beside) }) };
 }
 
 /** Write a place into the part of an address behind #, all else as it was. */
@@ -49,6 +53,7 @@ export function withAsked(hash: string, asked: Asked): string {
   for (const name of [...found.keys()]) if (name !== TAB && name !== ANGLE) found.delete(name);
   set(found, MACHINE, asked.machine);
   for (const [path, text] of asked.settings) found.set(path, text);
+  if (asked.beside) found.set(BESIDE, withAsked("", { machine: asked.beside.machine, settings: asked.beside.settings }).slice(1));
   return `#${found.toString()}`;
 }
 

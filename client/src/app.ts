@@ -4,7 +4,7 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 
 import { Address, type Asked } from "./address.ts";
-import type { PageCase, PageTrust, TabContent } from "./data.ts";
+import type { CaseWords, PageCase, PageTrust, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Form, type Problem } from "./form.ts";
 import { revived } from "./numbers.ts";
@@ -49,6 +49,11 @@ class App {
   private readonly undo = html("button", { type: "button" });
   private readonly redo = html("button", { type: "button" });
   private readonly save = html("button", { type: "button" });
+  private readonly beside = html("select", {});
+  private readonly besideLabel = html("label", {});
+  private readonly keep = html("button", { type: "button" });
+  /** Cases to compare with, by what they are called. */
+  private readonly cases = new Map<string, Asked>();
   private readonly label = html("label", {});
   private form: Form | null = null;
   private shownMachine = "";
@@ -62,9 +67,10 @@ class App {
     this.steps = new Steps(first);
     this.machines.append(...(file ? [html("option", { value: "" }, file)] : []), ...examples.map((name) => html("option", { value: name }, name)));
     this.machines.addEventListener("change", () => {
-      this.steps.add({ machine: this.machines.value, settings: new Map() });
-      void this.show();
+      this.ask({ machine: this.machines.value, settings: new Map() });
     });
+    this.beside.addEventListener("change", () => { this.compare(this.cases.get(this.beside.value)); });
+    this.keep.addEventListener("click", () => { this.compare(this.steps.now); });
     this.undo.addEventListener("click", () => { this.walk(-1); });
     this.redo.addEventListener("click", () => { this.walk(1); });
     this.save.addEventListener("click", () => { void this.download(); });
@@ -74,7 +80,7 @@ class App {
       this.walk(event.shiftKey ? 1 : -1);
     });
     this.label.append(this.machines);
-    const bar = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.label, this.undo, this.redo, this.save);
+    const bar = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.label, this.undo, this.redo, this.save, this.besideLabel, this.keep);
     into.replaceChildren(bar, html("div", { class: "app" }, this.side, this.view));
   }
 
@@ -87,7 +93,17 @@ class App {
     const settings = new Map(this.steps.now.settings);
     if (text) settings.set(path, text);
     else settings.delete(path);
-    this.steps.add({ machine: this.steps.now.machine, settings });
+    this.ask({ ...this.steps.now, settings });
+  }
+
+  /** Put a saved case beside what is shown, or nothing. */
+  private compare(saved: Asked | undefined): void {
+    const { machine, settings } = this.steps.now;
+    this.ask({ machine, settings, ...(saved ? { beside: { machine: saved.machine, settings: saved.settings } } : {}) });
+  }
+
+  private ask(asked: Asked): void {
+    this.steps.add(asked);
     void this.show();
   }
 
@@ -122,6 +138,7 @@ class App {
       button.disabled = !this.steps.has(by);
     }
     this.save.textContent = words.save;
+    this.fillCases(asked, words);
     if (!this.form?.fits(found.tables) || this.shownMachine !== asked.machine) {
       this.form = new Form(words.numbers, found.tables, (path, text) => { this.set(path, text); }, words.as_in_file);
       this.side.replaceChildren(this.form.element);
@@ -136,6 +153,18 @@ class App {
     };
     if (this.page) this.page.take(found.machine, source);
     else this.page = new MachinePage(found.machine, this.view, this.address, source);
+  }
+
+  /** Offer what may stand beside: the file as it is, what was kept, and what stands there. */
+  private fillCases(asked: Asked, words: CaseWords): void {
+    const name = (one: Asked): string =>
+      [...(one.machine === asked.machine ? [] : [one.machine]), [...one.settings].map((setting) => setting.join(" = ")).join(", ") || words.as_in_file].join(": ");
+    const own = { machine: asked.machine, settings: new Map<string, string>() };
+    for (const one of [own, ...(asked.beside ? [asked.beside] : [])]) this.cases.set(name(one), one);
+    this.beside.replaceChildren(html("option", { value: "" }, "–"), ...[...this.cases].map(([called]) => html("option", { value: called }, called)));
+    this.beside.value = asked.beside ? name(asked.beside) : "";
+    this.besideLabel.replaceChildren(`${words.compare} `, this.beside);
+    this.keep.textContent = words.keep;
   }
 
   /** Ask for more of what is shown; of what is shown no longer nothing comes. */
@@ -170,8 +199,8 @@ class App {
 }
 
 async function ask(where: string, asked: Asked, signal: AbortSignal | null = null, tab?: string): Promise<Response> {
-  const settings = [...asked.settings].map(([path, text]) => `${path}=${text}`);
-  const body = JSON.stringify({ machine: asked.machine, settings, tab });
+  const sent = ({ machine, settings }: Asked): object => ({ machine, settings: [...settings].map(([path, text]) => `${path}=${text}`) });
+  const body = JSON.stringify({ ...sent(asked), tab, ...(asked.beside ? { beside: sent(asked.beside) } : {}) });
   return fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal });
 }
 

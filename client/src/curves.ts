@@ -19,7 +19,7 @@ const NEAR = 0.5;
 const MIDDLE: readonly [number, number] = [0.04, 0.96];
 
 /** Of curves that stand beside others of their name. */
-const UNNAMED: ReadonlySet<Curve["role"]> = new Set(["ray", "half_ray", "textbook"]);
+const UNNAMED: ReadonlySet<Curve["role"]> = new Set(["ray", "half_ray", "textbook", "saved"]);
 
 /** What is shown of a part of a page. */
 export interface Shown {
@@ -270,10 +270,11 @@ class ShownPanel {
         else { ink.moveTo(box.left, y(place)); ink.lineTo(box.left + box.width, y(place)); }
       });
     }
-    this.panel.curves.forEach((curve, place) => {
+    const inOrder = [...this.panel.curves.entries()].sort(([, one], [, other]) => Number(other.role === "saved") - Number(one.role === "saved"));
+    for (const [place, curve] of inOrder) {
       const line = this.lines[place];
       if (line) this.drawCurve(ink, curve, line, x, y, ratio);
-    });
+    }
     ink.restore();
     for (const mark of this.panel.marks) {
       const [across, up] = [x(number(mark.across)), y(number(mark.value))];

@@ -37,6 +37,7 @@ export interface PageTab {
 export interface TabContent {
   readonly is: "TabContent";
   readonly answer: WrittenGroup;
+  readonly beside: PageTable | null;
   readonly sheets: readonly (PageSheet)[];
 }
 
@@ -56,6 +57,16 @@ export interface WrittenRow {
   readonly quantities: readonly (string)[];
 }
 
+export interface PageTable {
+  readonly is: "PageTable";
+  readonly title: string;
+  readonly heads: readonly (string)[];
+  readonly groups: readonly (string)[];
+  readonly rows: readonly (readonly (string)[])[];
+  readonly methods: readonly (number)[];
+  readonly notes: readonly (string)[];
+}
+
 export interface PageSheet {
   readonly is: "PageSheet";
   readonly title: string;
@@ -67,6 +78,7 @@ export interface PageCurves {
   readonly panels: readonly (Panel)[];
   readonly over: string;
   readonly is_stack: boolean;
+  readonly differences: readonly (Panel)[];
 }
 
 export interface Panel {
@@ -91,7 +103,7 @@ export interface Panel {
 export interface Curve {
   readonly is: "Curve";
   readonly values: Numbers;
-  readonly role: "first" | "second" | "other" | "textbook" | "error" | "main" | "side" | "radial" | "resultant" | "formula" | "chamber" | "whole" | "mean" | "each" | "carried" | "card" | "later_card" | "ray" | "half_ray";
+  readonly role: "first" | "second" | "other" | "textbook" | "error" | "main" | "side" | "radial" | "resultant" | "formula" | "chamber" | "whole" | "mean" | "each" | "carried" | "card" | "later_card" | "ray" | "half_ray" | "saved";
   readonly letter: string;
   readonly symbol: string;
   readonly name: string;
@@ -191,16 +203,6 @@ export interface ShaftShape {
   readonly amplitude: Numbers;
   readonly following: readonly number[];
   readonly nodes: Numbers;
-}
-
-export interface PageTable {
-  readonly is: "PageTable";
-  readonly title: string;
-  readonly heads: readonly (string)[];
-  readonly groups: readonly (string)[];
-  readonly rows: readonly (readonly (string)[])[];
-  readonly methods: readonly (number)[];
-  readonly notes: readonly (string)[];
 }
 
 export interface Notes {
@@ -359,6 +361,7 @@ export interface PageWords {
   readonly keys: string;
   readonly checks: string;
   readonly left_out: string;
+  readonly differences: string;
 }
 
 export interface NumbersOfTable {
@@ -384,4 +387,6 @@ export interface CaseWords {
   readonly redo: string;
   readonly save: string;
   readonly as_in_file: string;
+  readonly compare: string;
+  readonly keep: string;
 }

@@ -30,6 +30,7 @@ export const PENS: Readonly<Record<Curve["role"], Pen>> = {
   later_card: pen(1.2),
   ray: pen(0.9),
   half_ray: pen(0.6),
+  saved: pen(1.4, [1.4, 2.6]),
 };
 
 /** Of lines across a panel. */

@@ -6,8 +6,8 @@ import { html } from "./elements.ts";
 import { dragged, pressed } from "./hands.ts";
 import { Mechanism } from "./mechanism.ts";
 import { number, same } from "./numbers.ts";
-import { Sheets } from "./sheets.ts";
-import { answer, checks } from "./tables.ts";
+import { hasDifferences, Sheets } from "./sheets.ts";
+import { answer, checks, table } from "./tables.ts";
 import { Turning } from "./turning.ts";
 import { said } from "./words.ts";
 
@@ -16,6 +16,9 @@ const LONG = 180;
 
 /** Width of a drawing in parts of its height from which on it stands over all else. */
 const WIDE = 1.8;
+
+/** For so long nobody changes anything, before what needs everything is asked for. [ms] */
+const PAUSE = 250;
 
 /** Where more of a page is from, that it did not come with. */
 export interface Source {
@@ -41,6 +44,7 @@ export class MachinePage {
   private readonly answers = html("div", { class: "answers" });
   private readonly checked = html("div", {});
   private readonly toMind = html("div", {});
+  private readonly differ = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
   private readonly sheets: Sheets;
   private readonly panel: HTMLElement;
   private mechanism: Mechanism;
@@ -59,7 +63,7 @@ export class MachinePage {
       this.turning.stand(angle);
     };
     this.sheets = new Sheets(turned);
-    this.panel = html("div", { class: "sheets", role: "tabpanel" }, this.sheets.element);
+    this.panel = html("div", { class: "sheets", role: "tabpanel" }, this.differ, this.sheets.element);
     this.steps = [-1, 1].map((by) => {
       const button = html("button", { type: "button" }, by < 0 ? "−1°" : "+1°");
       button.addEventListener("click", () => { this.turning.step(by); });
@@ -67,6 +71,10 @@ export class MachinePage {
     });
     this.play.addEventListener("click", () => { this.turning.toggle(); });
     this.slider.addEventListener("input", () => { turned(Number(this.slider.value)); });
+    this.differ.addEventListener("click", () => {
+      this.differ.setAttribute("aria-pressed", `${!this.isOfDifferences}`);
+      this.choose(this.chosen);
+    });
     this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
     const right = html("section", { class: "right" }, this.toMind, this.panel);
     const [back, on] = this.steps as [HTMLButtonElement, HTMLButtonElement];
@@ -116,11 +124,16 @@ export class MachinePage {
       button.setAttribute("aria-label", button.title);
     });
     write(this.keys, words.keys);
+    write(this.differ, words.differences);
     write(this.leftOut, page.drawing.left_out.length ? `${words.left_out} ${page.drawing.left_out.join(", ")}` : "");
     if (this.stage.firstChild !== this.mechanism.element) this.stage.replaceChildren(this.mechanism.element);
     this.columns.classList.toggle("wide", this.mechanism.aspect > WIDE);
     if (page.trust) this.rely(page.trust);
-    else void source?.trust().then((found) => { if (this.source === source) this.rely(found); });
+    else if (source) {
+      setTimeout(() => {
+        if (this.source === source) void source.trust().then((found) => { if (this.source === source) this.rely(found); });
+      }, this.trust ? PAUSE : 0);
+    }
     this.choose(this.chosen);
   }
 
@@ -151,8 +164,9 @@ export class MachinePage {
 
   private show(content: TabContent): void {
     this.panel.classList.remove("computing");
-    this.answers.replaceChildren(answer(content.answer));
-    this.sheets.take(content);
+    this.answers.replaceChildren(answer(content.answer), ...(content.beside ? [table(content.beside)] : []));
+    this.differ.hidden = !hasDifferences(content);
+    this.sheets.take(content, this.isOfDifferences);
     this.turning.stand(this.turning.angle);
   }
 
@@ -186,6 +200,11 @@ export class MachinePage {
   private get chosen(): PageTab | undefined {
     const { tab } = this.address.place;
     return this.page.tabs.find((one) => one.name === tab) ?? this.page.tabs[0];
+  }
+
+  /** Whether curves are to be shown as differences from a saved case. */
+  private get isOfDifferences(): boolean {
+    return this.differ.getAttribute("aria-pressed") === "true";
   }
 
   private get buttons(): HTMLButtonElement[] {

@@ -22,16 +22,17 @@ export class Sheets {
     this.turned = turned;
   }
 
-  /** Show the sheets of a tab; those that have the same parts stay, and their parts change. */
-  take(content: TabContent): void {
-    const isOfTheSameParts = same(this.sheets.map(frameOf), content.sheets.map(frameOf));
-    this.sheets = content.sheets;
+  /** Show the sheets of a tab, or differences from a saved case; those that have the same parts stay, and their parts change. */
+  take(content: TabContent, isOfDifferences: boolean): void {
+    const sheets = isOfDifferences ? content.sheets.map(differencesOf) : content.sheets;
+    const isOfTheSameParts = same(this.sheets.map(frameOf), sheets.map(frameOf));
+    this.sheets = sheets;
     if (isOfTheSameParts) {
-      partsOf(content.sheets).forEach((part, place) => this.parts[place]?.take(part));
+      partsOf(sheets).forEach((part, place) => this.parts[place]?.take(part));
       return;
     }
     this.parts = [];
-    this.element.replaceChildren(...content.sheets.map((sheet) => this.sheet(sheet)));
+    this.element.replaceChildren(...sheets.map((sheet) => this.sheet(sheet)));
     this.fit();
   }
 
@@ -55,6 +56,16 @@ export class Sheets {
     return html("section", { class: "sheet" }, ...heads, html("div", { class: `sheet-columns of-${columns.length}` }, ...columns));
   }
 }
+
+/** A sheet whose curves are differences, where there are any. */
+const differencesOf = (sheet: PageSheet): PageSheet => ({
+  ...sheet,
+  columns: sheet.columns.map((parts) => parts.map((part) => (part.is === "PageCurves" && part.differences.length ? { ...part, panels: part.differences } : part))),
+});
+
+/** Whether there is anything in it that differs from a saved case. */
+export const hasDifferences = (content: TabContent): boolean =>
+  partsOf(content.sheets).some((part) => part.is === "PageCurves" && part.differences.length > 0);
 
 /** What of a sheet is no value of its parts. */
 const frameOf = (sheet: PageSheet): unknown => [sheet.title, sheet.columns.map((parts) => parts.map((part) => part.is))];

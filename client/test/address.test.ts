@@ -19,4 +19,9 @@ describe("an address", () => {
     assert.deepEqual(askedIn(hash), { machine: "3d12", settings });
     assert.deepEqual(placeIn(hash), { tab: "Balance", angle: 70 });
   });
+  it("gives the saved case beside it again", () => {
+    const beside = { machine: "", settings: new Map([["cylinder.bore", "1 & 2 mm"]]) };
+    const asked = { machine: "3d12", settings: new Map([["cylinder.bore", "3 mm"]]), beside };
+    assert.deepEqual(askedIn(withAsked("", asked)), asked);
+  });
 });

@@ -131,7 +131,7 @@ def test_arrow_keys_step_a_number_and_the_arrow_back_undoes_it(opened):
 def test_another_machine_and_the_tab_that_it_has(opened):
     page = opened("#phi=0")
     assert "cylinder" in page.locator("h1").inner_text().lower()
-    page.locator("select").select_option("jaw_crusher")
+    page.locator("label", has_text="Machine").locator("select").select_option("jaw_crusher")
     page.locator("h1", has_text="jaw crusher").wait_for()
     page.locator(".tabs button", has_text="Loads").click()
     typed(page, "speed", "300 rpm")
@@ -141,13 +141,34 @@ def test_another_machine_and_the_tab_that_it_has(opened):
 
 def test_the_machine_file_is_saved_with_its_comments(opened):
     page = opened("#machine=3d12&phi=0&cylinder.bore=151+mm")
-    page.locator("button", has_text="Save").wait_for()
+    page.locator("button", has_text="Save the machine file").wait_for()
     with page.expect_download() as download:
-        page.locator("button", has_text="Save").click()
+        page.locator("button", has_text="Save the machine file").click()
     assert download.value.suggested_filename == "3d12.toml"
     text = download.value.path().read_text(encoding="utf-8")
     assert tomllib.loads(text)["cylinder"]["bore"] == "151 mm"
     assert "# " in text
+
+
+def test_a_case_is_kept_and_the_machine_stands_beside_it(opened):
+    page = opened("#machine=3d12&phi=0")
+    settled(page, "mean piston speed", "9.000")
+    page.locator("button", has_text="Compare with this").click()
+    compared = page.locator(".answers .table tr", has_text="mean piston speed").first
+    compared.wait_for()
+    typed(page, "speed", "1800 rpm")
+    page.locator(".answers .table tr", has_text="+20.0 %").first.wait_for()
+    saved, now, unit, more, percent = compared.locator("td").all_inner_texts()
+    assert (saved, unit, percent) == ("9.000", "m/s", "+20.0 %")
+    assert float(now) - float(saved) == pytest.approx(float(more), abs=0.01)
+    page.locator("button.differ").click()
+    page.locator("h3", has_text="now less saved").first.wait_for()
+    page.wait_for_url(re.compile("beside="))
+    again = opened(page.url[page.url.index("#") :])
+    again.locator(".answers .table tr", has_text="+20.0 %").first.wait_for()
+    again.locator("label", has_text="Compare").locator("select").select_option(index=0)
+    again.locator(".answers .table").wait_for(state="detached")
+    assert not again.locator("button.differ").is_visible()
 
 
 def test_what_stays_the_same_stays_where_it_is(opened):

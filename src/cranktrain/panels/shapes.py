@@ -19,6 +19,7 @@ from cranktrain.saying.scales import Scale, scale_for
 Role: TypeAlias = Literal[
     "first", "second", "other", "textbook", "error", "main", "side", "radial", "resultant", "formula", "chamber",
     "whole", "mean", "each", "carried", "card", "later_card", "ray", "half_ray",
+    "saved",
 ]
 # fmt: on
 """What a curve is among those of its panel, by which a face chooses its line."""

@@ -59,6 +59,8 @@ class CaseWords:
     redo: Words
     save: Words
     as_in_file: Words
+    compare: Words
+    keep: Words
 
 
 @record
@@ -83,8 +85,8 @@ class Case(NamedTuple):
     source: str
     settings: tuple[str, ...] = ()
 
-    def packed_page(self, tab: str) -> Packed:
-        """Compute what a page shows with a tab open, and pack it.
+    def packed_page(self, tab: str, beside: "Case | None" = None) -> Packed:
+        """Compute what a page shows with a tab open, and pack it; `beside` is a saved case that stands beside it.
 
         Raises
         ------
@@ -93,14 +95,14 @@ class Case(NamedTuple):
         """
         file, result = self._computed()
         with result.in_its_units():
-            return packed(PageCase(machine_page(result, tab), _tables(file), _case_words()))
+            return packed(PageCase(machine_page(result, tab, _result_of(beside)), _tables(file), _case_words()))
 
-    def packed_tab(self, tab: str) -> Packed:
-        """Compute what stands on a tab, or on the first where there is none of the name, and pack it; as `packed_page`."""
+    def packed_tab(self, tab: str, beside: "Case | None" = None) -> Packed:
+        """Compute what stands on a tab, the first where there is none of the name, and pack it; as `packed_page`."""
         _file, result = self._computed()
         names = tab_names(result)
         with result.in_its_units():
-            return packed(tab_content(result, tab if tab in names else names[0]))
+            return packed(tab_content(result, tab if tab in names else names[0], _result_of(beside)))
 
     def packed_trust(self) -> Packed:
         """Compute what is to be minded, and all checks, and pack them; as `packed_page`."""
@@ -113,10 +115,20 @@ class Case(NamedTuple):
         """The machine file with the numbers in place, its comments where they were; what is wrong is an InputError."""
         return read_machine(self.source, self.settings, partial=True).document.text
 
+    @property
+    def result(self) -> Result:
+        """What is computed of it; what is wrong is an InputError."""
+        return self._computed()[1]
+
     def _computed(self) -> tuple[MachineFile, Result]:
         """Read and compute; of what a page asks one after the other each part is computed once."""
         file = Path(self.source)
         return _kept(self, file.stat().st_mtime_ns if file.exists() else 0)
+
+
+def _result_of(case: Case | None) -> Result | None:
+    """Compute a saved case, if there is one."""
+    return None if case is None else case.result
 
 
 @lru_cache(_MOST_KEPT)
@@ -135,6 +147,8 @@ def _case_words() -> CaseWords:
         redo=_("Redo"),
         save=_("Save the machine file"),
         as_in_file=_("As in the file"),
+        compare=_("Compare with"),
+        keep=_("Compare with this from here on"),
     )
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
+from itertools import zip_longest
 from typing import Any, get_type_hints
 
 import numpy as np
@@ -15,14 +16,15 @@ from cranktrain.language import Words, _
 from cranktrain.layout.question import Question
 from cranktrain.panels.drawing import MachineDrawing
 from cranktrain.panels.drawing_of_machine import machine_drawing
-from cranktrain.panels.parts import Notes, Sheet
+from cranktrain.panels.parts import Notes, Sheet, SheetColumn, Stack
 from cranktrain.panels.plotted import plot_of
-from cranktrain.panels.shapes import Panel, as_shown
+from cranktrain.panels.shapes import Panel
 from cranktrain.panels.sheets import pictures_of
 from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.saying.row_table import WrittenGroup, written_group
-from cranktrain.web.parts import PageCurves, PagePart, page_parts
+from cranktrain.web.parts import PagePart, PageTable, page_curves, page_parts
+from cranktrain.web.saved_facts import facts_beside
 
 _STEP = 2.0
 """Between positions of the drawing, between which a page goes on smoothly. [deg]"""
@@ -58,9 +60,19 @@ class PageTab:
 
 @record
 class TabContent:
-    """Rows of a tab, none where nothing can be said, and its sheets."""
+    """What stands on a tab.
+
+    Attributes
+    ----------
+    answer : WrittenGroup
+        Its rows, none where nothing can be said.
+    beside : PageTable or None
+        Its facts beside those of a saved case; None where nothing is beside.
+    sheets : tuple of PageSheet
+    """
 
     answer: WrittenGroup
+    beside: PageTable | None
     sheets: tuple[PageSheet, ...]
 
 
@@ -94,6 +106,7 @@ class PageWords:
     keys: Words
     checks: Words
     left_out: Words
+    differences: Words
 
 
 def _page_words() -> PageWords:
@@ -108,6 +121,7 @@ def _page_words() -> PageWords:
         keys=_("space turns and stops · ← → 1°, with shift 10° · Home 0°"),
         checks=_("Checks"),
         left_out=_("Not drawn, as their shaft has no place in the file:"),
+        differences=_("Differences from the saved case"),
     )
 
 
@@ -138,7 +152,7 @@ class ShownMachine:
     words: PageWords
 
 
-def machine_page(result: Result, tab: str | None = None) -> ShownMachine:
+def machine_page(result: Result, tab: str | None = None, saved: Result | None = None) -> ShownMachine:
     """Collect what a page shows of a machine.
 
     Parameters
@@ -148,6 +162,8 @@ def machine_page(result: Result, tab: str | None = None) -> ShownMachine:
     tab : str, optional
         Which tab alone has its content, by its name, or the first where there is none of it; all tabs unless given, and
         trust.
+    saved : Result, optional
+        Of a machine that stands beside it.
 
     Returns
     -------
@@ -163,7 +179,7 @@ def machine_page(result: Result, tab: str | None = None) -> ShownMachine:
         made_of=made_of,
         cycle=result.cycle,
         tabs=tuple(
-            PageTab(title, _(title), tab_content(result, title) if title in asked else None) for title in titles
+            PageTab(title, _(title), tab_content(result, title, saved) if title in asked else None) for title in titles
         ),
         trust=page_trust(result) if tab is None else None,
         drawing=machine_drawing(
@@ -180,9 +196,13 @@ def tab_names(result: Result) -> tuple[str, ...]:
     return tuple(title for title in titles if title in with_rows or any(_makers(result, title)))
 
 
-def tab_content(result: Result, title: str) -> TabContent:
-    """Collect rows and sheets under a title, which is the name of a tab."""
-    return TabContent(written_group(_(title), rows_under(result, title)), tuple(_sheets(result, title)))
+def tab_content(result: Result, title: str, saved: Result | None = None) -> TabContent:
+    """Collect rows and sheets under a title, which is the name of a tab, with those of a saved case beside."""
+    return TabContent(
+        answer=written_group(_(title), rows_under(result, title)),
+        beside=None if saved is None else facts_beside(result, saved, title),
+        sheets=tuple(_sheets(result, title, saved)),
+    )
 
 
 def page_trust(result: Result) -> PageTrust:
@@ -199,7 +219,7 @@ def _questions(result: Result, title: str) -> list[Question]:
     return [question for question in result.machines[0].questions if question.title == title]
 
 
-def _sheets(result: Result, title: str) -> Iterator[PageSheet]:
+def _sheets(result: Result, title: str, saved: Result | None) -> Iterator[PageSheet]:
     """Give the sheets of some questions; of those without one some of their curves."""
     makers = list(_makers(result, title))
     for make in makers:
@@ -208,10 +228,24 @@ def _sheets(result: Result, title: str) -> Iterator[PageSheet]:
         except InputError as error:  # it says what the file lacks
             yield PageSheet("", ((Notes(tuple(str(problem) for problem in error.problems)),),))
         else:
-            yield PageSheet(sheet.title, tuple(tuple(page_parts(column.parts)) for column in sheet.columns))
-    panels = () if makers else tuple(_curves(result, _questions(result, title)))
+            beside = [column.parts for column in _sheet_beside(saved, title, make)]
+            parts = zip_longest((column.parts for column in sheet.columns), beside[: len(sheet.columns)], fillvalue=())
+            yield PageSheet(sheet.title, tuple(tuple(page_parts(*each)) for each in parts))
+    panels, others = (() if makers or one is None else tuple(_curves(one, title)) for one in (result, saved))
     if panels:
-        yield PageSheet("", ((PageCurves(panels, _("Crank angle φ, °"), is_stack=True),),))
+        curves = page_curves(Stack(panels), _("Crank angle φ, °"), Stack(others))
+        yield PageSheet("", ((curves,),))
+
+
+def _sheet_beside(saved: Result | None, title: str, make: Callable[..., Any]) -> Sequence[SheetColumn]:
+    """Make the same sheet of a saved case, if that has all for it; give its columns."""
+    if saved is None or make not in _makers(saved, title):
+        return ()
+    try:
+        sheet: Sheet = make(saved)
+    except InputError:  # where it is the machine that is shown, it says what its file lacks
+        return ()
+    return sheet.columns
 
 
 def _makers(result: Result, title: str) -> Iterator[Callable[..., Any]]:
@@ -224,11 +258,11 @@ def _makers(result: Result, title: str) -> Iterator[Callable[..., Any]]:
                 yield function
 
 
-def _curves(result: Result, questions: Sequence[Question]) -> Iterator[Panel]:
-    """Give the first curves of some questions."""
-    names = [name for question in questions for stage in question.stages for name in stage.results]
+def _curves(result: Result, title: str) -> Iterator[Panel]:
+    """Give the first curves of the questions of a title, in SI."""
+    names = [name for question in _questions(result, title) for stage in question.stages for name in stage.results]
     curves = [name for name in names if name in result.catalogue and result.is_curve(result.catalogue[name])]
     for name in curves[:_MOST_PANELS]:
         for panel in plot_of(result, name).panels:
             if isinstance(panel, Panel):
-                yield as_shown(panel)
+                yield panel

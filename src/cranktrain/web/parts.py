@@ -25,6 +25,7 @@ from cranktrain.panels.shapes import Bars, Panel, PolarDiagram, Rays, as_shown
 from cranktrain.record import record
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.saying.wording import plain
+from cranktrain.web.saved_curves import differences, with_saved
 
 
 @record
@@ -38,11 +39,14 @@ class PageCurves:
     over : Words
         What all are over; none where each says its own.
     is_stack : bool
+    differences : tuple of Panel
+        By how much more each curve is than that of a saved case; none where nothing is beside.
     """
 
     panels: tuple[Panel, ...]
     over: Words
     is_stack: bool
+    differences: tuple[Panel, ...] = ()
 
 
 @record
@@ -98,14 +102,18 @@ class PageTable:
 PagePart: TypeAlias = PageCurves | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | Notes | Ruler
 
 
-def page_parts(parts: Sequence[Part]) -> Iterator[PagePart]:
-    """Give parts of a sheet as a page draws them; throws it draws itself, at the angle at which it stands."""
-    for part in parts:
+def page_parts(parts: Sequence[Part], saved: Sequence[Part] = ()) -> Iterator[PagePart]:
+    """Give parts of a sheet as a page draws them; throws it draws itself, at the angle at which it stands.
+
+    saved: the parts of the same sheet of a saved case, whose curves stand among these.
+    """
+    for place, part in enumerate(parts):
+        beside = saved[place] if place < len(saved) and type(saved[place]) is type(part) else None
         match part:
-            case Stack(panels=panels, over=over):
-                yield PageCurves(tuple(map(as_shown, panels)), over or _("Crank angle φ, °"), is_stack=True)
-            case CurveCard(panels=panels):
-                yield PageCurves(tuple(map(as_shown, panels)), "", is_stack=False)
+            case Stack(over=over):
+                yield page_curves(part, over or _("Crank angle φ, °"), beside)
+            case CurveCard():
+                yield page_curves(part, "", beside)
             case Polars(diagrams=diagrams, notes=notes):
                 yield _polars(diagrams, notes)
             case BarChart(bars=bars):
@@ -118,6 +126,17 @@ def page_parts(parts: Sequence[Part]) -> Iterator[PagePart]:
                 yield part
             case _:
                 pass
+
+
+def page_curves(part: Stack | CurveCard, over: Words, saved: Part | None = None) -> PageCurves:
+    """Give panels in the units in which they are shown, with those of a saved case among them."""
+    others = saved.panels if isinstance(saved, Stack | CurveCard) else ()
+    return PageCurves(
+        tuple(map(as_shown, with_saved(part.panels, others))),
+        over,
+        is_stack=isinstance(part, Stack),
+        differences=tuple(map(as_shown, differences(part.panels, others))),
+    )
 
 
 def _polars(diagrams: Sequence[PolarDiagram], notes: Words) -> PagePolars:

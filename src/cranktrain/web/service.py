@@ -81,9 +81,10 @@ class CaseAsked(BaseModel):
 class PageAsked(CaseAsked):
     """A machine, and which tab is open."""
 
-    tab: Annotated[
-        str, Field(max_length=_LONGEST, description="By its name; the first where there is none of it.")
-    ] = ""
+    tab: Annotated[str, Field(max_length=_LONGEST, description="By its name; the first where there is none of it.")] = (
+        ""
+    )
+    beside: Annotated[CaseAsked | None, Field(description="A saved case that stands beside it.")] = None
 
 
 class ProblemSaid(BaseModel):
@@ -129,6 +130,10 @@ def service(file: str | None = None) -> FastAPI:
         allowed = _("must be one of the examples: {names}", names=", ".join(sorted(known)))
         raise InputError([Problem("machine", asked.machine, allowed)])
 
+    def saved_of(asked: PageAsked) -> Case | None:
+        """Find the saved case that is to stand beside."""
+        return None if asked.beside is None else case_of(asked.beside)
+
     @app.get("/", response_class=HTMLResponse, include_in_schema=False)
     def _page() -> str:
         return _PAGE.format(file="" if file is None else escape(file, quote=True))
@@ -147,12 +152,12 @@ def service(file: str | None = None) -> FastAPI:
     @app.post("/api/case", **_NUMBERS)
     async def _case(asked: PageAsked) -> Response:
         """Give a machine as a page shows it with one tab open: a length, so much JSON, and the numbers of arrays."""
-        return _numbers(await run_in_threadpool(case_of(asked).packed_page, asked.tab))
+        return _numbers(await run_in_threadpool(case_of(asked).packed_page, asked.tab, saved_of(asked)))
 
     @app.post("/api/tab", **_NUMBERS)
     async def _tab(asked: PageAsked) -> Response:
         """Give what stands on a tab."""
-        return _numbers(await run_in_threadpool(case_of(asked).packed_tab, asked.tab))
+        return _numbers(await run_in_threadpool(case_of(asked).packed_tab, asked.tab, saved_of(asked)))
 
     @app.post("/api/trust", **_NUMBERS)
     async def _trust(asked: CaseAsked) -> Response:

@@ -94,6 +94,7 @@ PENS: Mapping[Role, LinePen] = {
     "later_card": LinePen(0.9),
     "ray": LinePen(0.7),
     "half_ray": LinePen(0.35),
+    "saved": LinePen(0.8, (1.0, 2.0)),
 }
 
 _ERROR_DASHES = {"s": (1.5, 1.5), "v": (5.0, 2.0), "j": (9.0, 2.0, 2.0, 2.0)}
