@@ -39,6 +39,7 @@ export interface TabContent {
   readonly answer: WrittenGroup;
   readonly beside: PageTable | null;
   readonly sheets: readonly (PageSheet)[];
+  readonly vectors: readonly (PinVectors)[];
 }
 
 export interface WrittenGroup {
@@ -228,6 +229,23 @@ export interface RulerMark {
   readonly word: string;
 }
 
+export interface PinVectors {
+  readonly is: "PinVectors";
+  readonly title: string;
+  readonly unit: string;
+  readonly largest: Float;
+  readonly vectors: readonly (PinVector)[];
+}
+
+export interface PinVector {
+  readonly is: "PinVector";
+  readonly mechanism: string;
+  readonly pin: string;
+  readonly letter: string;
+  readonly symbol: string;
+  readonly value: Numbers;
+}
+
 export interface PageTrust {
   readonly is: "PageTrust";
   readonly to_mind: readonly (string)[];
@@ -362,6 +380,7 @@ export interface PageWords {
   readonly checks: string;
   readonly left_out: string;
   readonly differences: string;
+  readonly vectors: string;
 }
 
 export interface NumbersOfTable {

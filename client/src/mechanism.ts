@@ -1,14 +1,10 @@
 // A mechanism to scale: what stands still is drawn once, what moves is turned and shifted.
 
-import type { LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing } from "./data.ts";
+import type { LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing, PinVector, PinVectors } from "./data.ts";
 import { picture, svg } from "./elements.ts";
 import { at, between, extent, number, row } from "./numbers.ts";
-
-/** A point, in the units of the picture: to the right and down. */
-interface Point {
-  readonly x: number;
-  readonly y: number;
-}
+import { barbs, xy, type Point } from "./points.ts";
+import { DrawnVectors, NARROW, SCALE_ROW, type Edges } from "./vectors.ts";
 
 /** Size of the picture, in its own units, along its longer side. */
 const LONG = 600;
@@ -43,6 +39,10 @@ export class Mechanism {
   readonly cycle: number;
   private readonly drawing: MachineDrawing;
   private readonly moving: Moving[] = [];
+  private readonly edges: Edges;
+  private readonly layer = svg("g", {});
+  private vectors: DrawnVectors | null = null;
+  private shown = 0;
   private readonly scale: number;
   private readonly shifts: ReadonlyMap<string, Point>;
 
@@ -58,7 +58,7 @@ export class Mechanism {
       bounds.left * this.scale - MARGIN,
       -bounds.top * this.scale - MARGIN,
       width * this.scale + 2 * MARGIN,
-      height * this.scale + 2 * MARGIN,
+      height * this.scale + 2 * MARGIN + (width * this.scale + 2 * MARGIN < NARROW ? SCALE_ROW : 0),
     ];
     this.element = picture("mechanism", box, svg("title", {}, label));
     const layer = (): SVGGElement => this.element.appendChild(svg("g"));
@@ -74,6 +74,8 @@ export class Mechanism {
     for (const { of, link } of this.ownLinks().reverse()) this.link(of, link, links);
     for (const load of drawing.loads) this.load(load, loads);
     this.scaleBar(box, still);
+    this.edges = { left: box[0], right: box[0] + box[2], top: box[1], bottom: box[1] + box[3] };
+    this.element.append(this.layer);
     this.show(0);
   }
 
@@ -81,6 +83,20 @@ export class Mechanism {
   show(angle: number): void {
     const place = ((angle % this.cycle) + this.cycle) % this.cycle;
     for (const move of this.moving) move(place);
+    this.vectors?.show(place);
+    this.shown = place;
+  }
+
+  /** Show vectors, and no others. */
+  showVectors(sorts: readonly PinVectors[]): void {
+    const named = new Map(this.drawing.mechanisms.map((one) => [one.name, one]));
+    const pin = (one: PinVector, angle: number): Point => {
+      const of = named.get(one.mechanism);
+      return of ? this.pin(of, one.pin, angle) : { x: NaN, y: NaN };
+    };
+    this.vectors = new DrawnVectors(sorts, pin, this.cycle, this.edges);
+    this.layer.replaceChildren(...this.vectors.elements);
+    this.vectors.show(this.shown);
   }
 
   /** Width in parts of the height. */
@@ -567,8 +583,6 @@ const isOnCrank = (of: MechanismDrawing, link: LinkDrawing): boolean =>
 /** Where a pin is at first. [m] */
 const first = (pin: Numbers): readonly [number, number] => [row(pin, 0)[0] ?? NaN, row(pin, 1)[0] ?? NaN];
 
-const xy = (point: Point): string => `${point.x.toFixed(2)} ${point.y.toFixed(2)}`;
-
 /** Place what is drawn in its own axes: 0 at a point, its x axis toward another. */
 function place(element: SVGElement, start: Point, end: Point): void {
   const length = Math.hypot(end.x - start.x, end.y - start.y);
@@ -605,14 +619,4 @@ function hull(one: Point, first: number, other: Point, second: number): string {
   const [c, d] = [on(other, second, along + lean), on(one, first, along + lean)];
   const isWide = first >= second ? 1 : 0;
   return `M${xy(a)}L${xy(b)}A${second} ${second} 0 ${1 - isWide} 1 ${xy(c)}L${xy(d)}A${first} ${first} 0 ${isWide} 1 ${xy(a)}Z`;
-}
-
-/** The two lines of an arrow's head, in a direction on the screen, clockwise. */
-function barbs(end: Point, direction: number): string {
-  const size = 8;
-  const side = (turn: number): Point => ({
-    x: end.x - size * Math.cos(direction + turn),
-    y: end.y - size * Math.sin(direction + turn),
-  });
-  return `M${xy(side(0.4))}L${xy(end)}L${xy(side(-0.4))}`;
 }

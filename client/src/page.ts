@@ -9,6 +9,7 @@ import { number, same } from "./numbers.ts";
 import { hasDifferences, Sheets } from "./sheets.ts";
 import { answer, checks, table } from "./tables.ts";
 import { Turning } from "./turning.ts";
+import { VectorChoice } from "./vectors.ts";
 import { said } from "./words.ts";
 
 /** Characters from which on a sentence with a list is folded. */
@@ -46,6 +47,7 @@ export class MachinePage {
   private readonly toMind = html("div", {});
   private readonly differ = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
   private readonly sheets: Sheets;
+  private readonly vectors = new VectorChoice((shown) => { this.mechanism.showVectors(shown); }, (tab) => { this.load(tab); });
   private readonly panel: HTMLElement;
   private mechanism: Mechanism;
   private page: ShownMachine;
@@ -80,7 +82,7 @@ export class MachinePage {
     const [back, on] = this.steps as [HTMLButtonElement, HTMLButtonElement];
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, html("div", { class: "turning-controls" }, this.play, back, this.slider, on, this.reading), this.keys, this.leftOut),
+      html("section", { class: "drawing" }, this.stage, html("div", { class: "turning-controls" }, this.play, back, this.slider, on, this.reading), this.vectors.element, this.keys, this.leftOut),
       html("section", { class: "left" }, this.answers, this.checked),
       right,
     );
@@ -125,6 +127,7 @@ export class MachinePage {
     });
     write(this.keys, words.keys);
     write(this.differ, words.differences);
+    this.vectors.element.setAttribute("aria-label", words.vectors);
     write(this.leftOut, page.drawing.left_out.length ? `${words.left_out} ${page.drawing.left_out.join(", ")}` : "");
     if (this.stage.firstChild !== this.mechanism.element) this.stage.replaceChildren(this.mechanism.element);
     this.columns.classList.toggle("wide", this.mechanism.aspect > WIDE);
@@ -154,11 +157,18 @@ export class MachinePage {
       this.show(content);
       return;
     }
+    this.load(name);
+  }
+
+  /** Ask for what is on a tab. */
+  private load(name: string): void {
     const { source } = this;
     void source?.tab(name).then((found) => {
       if (this.source !== source) return;
       this.contents.set(name, found);
-      if (this.chosen?.name === name) this.show(found);
+      const open = this.chosen?.name ?? "";
+      if (open === name) this.show(found);
+      else this.vectors.take(this.contents, open);
     });
   }
 
@@ -167,6 +177,7 @@ export class MachinePage {
     this.answers.replaceChildren(answer(content.answer), ...(content.beside ? [table(content.beside)] : []));
     this.differ.hidden = !hasDifferences(content);
     this.sheets.take(content, this.isOfDifferences);
+    this.vectors.take(this.contents, this.chosen?.name ?? "");
     this.turning.stand(this.turning.angle);
   }
 

@@ -54,6 +54,9 @@ const unescaped = (text: string): string =>
 
 const isSlanted = (piece: Piece): boolean => !piece.isUpright && /\p{Letter}/u.test(piece.text);
 
+/** Give a symbol as words have it among them. */
+export const formula = (symbol: string): string => `${FORMULA}${symbol}${FORMULA}`;
+
 /** Give words as HTML. */
 export function said(words: string): DocumentFragment {
   const all = document.createDocumentFragment();

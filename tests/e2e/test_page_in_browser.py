@@ -180,6 +180,46 @@ def test_drawn_to_scale(opened, name):
     np.testing.assert_allclose(drawn, np.sum(drawn) / np.sum(true) * true, atol=0.5)
 
 
+def arrow(page, name, kind):
+    """Length of a vector's arrow, in the units of the picture, and its direction, anticlockwise. [deg]"""
+    shown = page.locator(f".mechanism .vector:has(title:text-is('{name}')).ink-{kind} path:not([hidden])")
+    start, end = (complex(*map(float, part.split())) for part in re.split("[ML]", shown.get_attribute("d"))[1:3])
+    return abs(end - start), -np.angle(end - start, deg=True)
+
+
+def on_the_drawing(page):
+    return page.locator(".choice[aria-pressed=true]").all_inner_texts()
+
+
+def test_velocities_are_to_their_scale(opened):
+    """That of the crank pin is Rω, and across the crank: 90 mm at 1500 rpm, the left bank 30° before the upright."""
+    page = opened("3d12", "#phi=20")
+    assert on_the_drawing(page) == ["Velocities"]
+    scale = page.locator(".mechanism text.beside")
+    assert scale.text_content() == "10 m/s"
+    ends = re.match(r"M(\S+) \S+H([\d.-]+)", page.locator(".mechanism > g > path.vector").get_attribute("d"))
+    long = (float(ends[2]) - float(ends[1])) / 10.0
+    length, direction = arrow(page, "1L A", "v")
+    assert length / long == pytest.approx(0.09 * 1500 * np.pi / 30, rel=2e-3)
+    assert direction == pytest.approx(30.0 - 20.0, abs=0.2)
+
+
+def test_each_tab_turns_on_its_own_vectors_and_a_click_others(opened):
+    page = opened("3d12", "#phi=20")
+    page.locator(".tabs button", has_text="Largest forces").click()
+    forces = ["Gas force", "Side force", "Crank pin", "Joints"]
+    assert on_the_drawing(page) == forces
+    assert page.locator(".mechanism text.beside").all_text_contents() == ["50 kN"]
+    page.locator(".choice", has_text="Velocities").click()
+    assert on_the_drawing(page) == ["Velocities", *forces]
+    assert page.locator(".mechanism text.beside").all_text_contents() == ["10 m/s", "50 kN"]
+    page.locator(".choice", has_text="Gas force").click()
+    page.locator(".tabs button", has_text="Motion").click()
+    assert on_the_drawing(page) == ["Velocities"]
+    page.locator(".choice", has_text="Velocities").click()
+    assert page.locator(".mechanism .vector").count() == 0
+
+
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_every_tab_of_every_example(opened, name):
     """Something is drawn or said on each; no text is too small, nothing reaches beyond the window."""

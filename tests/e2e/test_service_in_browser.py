@@ -200,3 +200,21 @@ def test_it_answers_soon(tmp_path):
         with urlopen(address, timeout=20) as answer:
             assert b'id="page"' in answer.read()
         assert time.monotonic() - since < 3.0
+
+
+def test_vectors_that_are_wanted_stay_through_an_edit(opened):
+    """On the tab of forces velocities are asked for anew, to the scale of the new speed."""
+    page = opened("#machine=burning_cylinder&phi=20")
+    page.locator(".choice", has_text="Velocities").wait_for()
+    page.locator(".tabs button", has_text="Largest forces").click()
+    page.locator(".choice", has_text="Crank pin").wait_for()
+    page.locator(".choice", has_text="Velocities").click()
+    scales = page.locator(".mechanism text.beside")
+    before = scales.all_text_contents()
+    assert [text.split()[1] for text in before] == ["m/s", "kN"]
+    speed = ct.load("burning_cylinder").main_shaft.speed.si * 30 / 3.141592653589793
+    typed(page, "speed", f"{10 * speed:.0f} rpm")
+    page.locator(".mechanism text.beside", has_text="100 m/s").wait_for()
+    assert len(scales.all_text_contents()) == 2
+    names = page.locator(".choice").all_inner_texts()
+    assert names == ["Velocities", "Gas force", "Side force", "Crank pin"]

@@ -19,7 +19,8 @@ from cranktrain.panels.drawing_of_machine import machine_drawing
 from cranktrain.panels.parts import Notes, Sheet, SheetColumn, Stack
 from cranktrain.panels.plotted import plot_of
 from cranktrain.panels.shapes import Panel
-from cranktrain.panels.sheets import pictures_of
+from cranktrain.panels.sheets import pictures_of, vectors_of
+from cranktrain.panels.vectors import PinVectors, vectors_as_shown
 from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.saying.row_table import WrittenGroup, written_group
@@ -28,6 +29,8 @@ from cranktrain.web.saved_facts import facts_beside
 
 _STEP = 2.0
 """Between positions of the drawing, between which a page goes on smoothly. [deg]"""
+_VECTOR_STEP = 4.0
+"""Between vectors, likewise: what stands evenly over the cycle. [deg]"""
 _MOST_PANELS = 4
 """Of curves of a question that has no sheet."""
 
@@ -69,11 +72,14 @@ class TabContent:
     beside : PageTable or None
         Its facts beside those of a saved case; None where nothing is beside.
     sheets : tuple of PageSheet
+    vectors : tuple of PinVectors
+        For the drawing.
     """
 
     answer: WrittenGroup
     beside: PageTable | None
     sheets: tuple[PageSheet, ...]
+    vectors: tuple[PinVectors, ...]
 
 
 @record
@@ -107,6 +113,7 @@ class PageWords:
     checks: Words
     left_out: Words
     differences: Words
+    vectors: Words
 
 
 def _page_words() -> PageWords:
@@ -122,6 +129,7 @@ def _page_words() -> PageWords:
         checks=_("Checks"),
         left_out=_("Not drawn, as their shaft has no place in the file:"),
         differences=_("Differences from the saved case"),
+        vectors=_("Vectors on the drawing"),
     )
 
 
@@ -197,11 +205,12 @@ def tab_names(result: Result) -> tuple[str, ...]:
 
 
 def tab_content(result: Result, title: str, saved: Result | None = None) -> TabContent:
-    """Collect rows and sheets under a title, which is the name of a tab, with those of a saved case beside."""
+    """Collect what stands under a title, which is the name of a tab, with rows and curves of a saved case beside."""
     return TabContent(
         answer=written_group(_(title), rows_under(result, title)),
         beside=None if saved is None else facts_beside(result, saved, title),
         sheets=tuple(_sheets(result, title, saved)),
+        vectors=tuple(map(vectors_as_shown, _vectors(result, title))),
     )
 
 
@@ -248,12 +257,24 @@ def _sheet_beside(saved: Result | None, title: str, make: Callable[..., Any]) ->
     return sheet.columns
 
 
+def _vectors(result: Result, title: str) -> Iterator[PinVectors]:
+    """Give vectors of some questions on the throw that is drawn."""
+    angles = np.arange(0.0, result.cycle + _VECTOR_STEP / 2, _VECTOR_STEP)
+    for home in (one for question in _questions(result, title) for one in vectors_of(question.name)):
+        yield from _named(home)(result, first_throw(result.machines[0]), angles)
+
+
+def _named(home: str) -> Callable[..., Any]:
+    """Find a function, `module:function`."""
+    place, _colon, name = home.partition(":")
+    return getattr(import_module(place), name)
+
+
 def _makers(result: Result, title: str) -> Iterator[Callable[..., Any]]:
     """Find what makes pictures over the cycle that are sheets as data, of which the result has what they need."""
     for picture in (one for question in _questions(result, title) for one in pictures_of(question.name)):
         if picture.over == "cycle" and all(name in result.catalogue for name in picture.needs):
-            home, _colon, name = picture.home.partition(":")
-            function = getattr(import_module(home), name)
+            function = _named(picture.home)
             if get_type_hints(function).get("return") is Sheet:
                 yield function
 

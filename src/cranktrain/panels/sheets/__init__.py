@@ -1,18 +1,30 @@
 """Pictures of the questions: a folder each, named after its question, whose `PICTURES` say what there is.
 
-These say it as data, so that the terminal can name all pictures without loading what draws them.
+`VECTORS`, where there are any, names what gives vectors for the drawing of a machine. Both say it as data, so that the
+terminal can name all pictures without loading what draws them.
 """
 
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
+from typing import Any
 
 from cranktrain.panels.picture import Picture
 
 
 def pictures_of(question: str) -> tuple[Picture, ...]:
     """Give the pictures of a question, by the name of its folder; none of one that has no folder here."""
-    return tuple(import_module(f"{__name__}.{question}").PICTURES) if question in _folders() else ()
+    return _found(question, "PICTURES")
+
+
+def vectors_of(question: str) -> tuple[str, ...]:
+    """Name what gives the vectors of a question, `module:function`; none of one that has none."""
+    return _found(question, "VECTORS")
+
+
+def _found(question: str, name: str) -> tuple[Any, ...]:
+    """Give what the folder of a question says; nothing where there is none, or it does not."""
+    return tuple(getattr(import_module(f"{__name__}.{question}"), name, ())) if question in _folders() else ()
 
 
 @cache

@@ -16,3 +16,5 @@ PICTURES = (
     Picture("plan", "zhukovsky", "cranktrain.viz.plans.zhukovsky:plan_zhukovsky", "angles"),
     Picture("plan", "polar", "cranktrain.viz.plans.pin_polar:plan_polar", "angles"),
 )
+
+VECTORS = ("cranktrain.panels.sheets.forces.vectors:forces",)

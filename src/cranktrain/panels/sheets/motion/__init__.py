@@ -75,3 +75,5 @@ PICTURES = (
         refused=dict.fromkeys(("plan", "size", "sheet"), _ALL_PLANS),
     ),
 )
+
+VECTORS = ("cranktrain.panels.sheets.motion.vectors:velocities",)

@@ -1,0 +1,166 @@
+// Vectors on the drawing of a mechanism, and which of them are shown.
+
+import type { PinVector, PinVectors, TabContent } from "./data.ts";
+import { html, svg } from "./elements.ts";
+import { inkOf } from "./ink.ts";
+import { between, row, same, ticks } from "./numbers.ts";
+import { barbs, xy, type Point } from "./points.ts";
+import { formula, spans } from "./words.ts";
+
+/** A vector that is shorter is not drawn; in the units of the picture, as all lengths here. */
+const LEAST = 3;
+
+/** A vector with a shorter arrow has no name beside it. */
+const LEAST_NAMED = 14;
+
+/** Length of the largest vector, and to what part of that it is drawn shorter so that all stay in the picture. */
+const LONG = 120;
+const SHORTEST = 0.4;
+
+/** In a narrower picture scales of vectors stand over that of lengths, so high. */
+export const NARROW = 420;
+export const SCALE_ROW = 18;
+
+/** Where the pin of a vector is at a crank angle. */
+type PinOf = (one: PinVector, angle: number) => Point;
+
+/** Edges of a picture. */
+export interface Edges {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+/** Vectors that are drawn to scale, and what a picture has of them. */
+export class DrawnVectors {
+  readonly elements: readonly SVGElement[];
+  private readonly moving: readonly ((angle: number) => void)[];
+
+  constructor(shown: readonly PinVectors[], pin: PinOf, cycle: number, edges: Edges) {
+    const groups = new Map<string, PinVectors[]>();
+    for (const one of shown) {
+      const key = `${one.unit} ${one.largest}`;
+      groups.set(key, [...(groups.get(key) ?? []), one]);
+    }
+    const elements: SVGElement[] = [];
+    this.moving = [...groups.values()].flatMap((sorts, place) => {
+      const all = sorts.flatMap((one) => one.vectors);
+      const perUnit = scaleOf(all, sorts[0]?.largest ?? NaN, pin, cycle, edges);
+      elements.push(...scaleArrow(sorts[0] as PinVectors, perUnit, edges, place));
+      return all.map((one) => vector(one, perUnit, cycle, pin, elements));
+    });
+    this.elements = elements;
+  }
+
+  show(angle: number): void {
+    for (const move of this.moving) move(angle);
+  }
+}
+
+/** Length for one of a unit, so that the largest is long, and all stay in the picture if that is not much to ask. */
+function scaleOf(all: readonly PinVector[], largest: number, pin: PinOf, cycle: number, edges: Edges): number {
+  let scale = LONG / largest;
+  for (const one of all) {
+    const [x, y] = [row(one.value, 0), row(one.value, 1)];
+    x.forEach((across, place) => {
+      const start = pin(one, (place * cycle) / (x.length - 1));
+      const up = y[place] ?? NaN;
+      const room = Math.min(
+        (across > 0 ? edges.right - start.x : start.x - edges.left) / Math.abs(across),
+        (up > 0 ? start.y - edges.top : edges.bottom - start.y) / Math.abs(up),
+      );
+      if (room < scale) scale = room;
+    });
+  }
+  return Math.max(scale, (SHORTEST * LONG) / largest);
+}
+
+/** Draw a vector; give what moves it. */
+function vector(one: PinVector, perUnit: number, cycle: number, pin: PinOf, into: SVGElement[]): (angle: number) => void {
+  const arrow = svg("path", {});
+  const label = svg("text", {}, ...spans(formula(one.symbol)));
+  const group = svg("g", { class: `vector ink-${inkOf(one.letter)}` }, svg("title", {}, `${one.mechanism} ${one.pin}`), arrow, label);
+  into.push(group);
+  const [x, y] = [row(one.value, 0), row(one.value, 1)];
+  return (angle) => {
+    const start = pin(one, angle);
+    const by = { x: perUnit * between(x, cycle, angle), y: -perUnit * between(y, cycle, angle) };
+    const length = Math.hypot(by.x, by.y);
+    const isThere = Number.isFinite(start.x) && length > LEAST;
+    group.toggleAttribute("hidden", !isThere);
+    if (!isThere) return;
+    const end = { x: start.x + by.x, y: start.y + by.y };
+    arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, Math.atan2(by.y, by.x))}`);
+    label.toggleAttribute("hidden", length < LEAST_NAMED);
+    label.setAttribute("x", (end.x + (10 * by.x) / length).toFixed(2));
+    label.setAttribute("y", (end.y + (10 * by.y) / length).toFixed(2));
+  };
+}
+
+/** An arrow of a round size, in the lower right corner, where there is room beside the scale of lengths. */
+function scaleArrow(of: PinVectors, perUnit: number, edges: Edges, place: number): SVGElement[] {
+  const largest = of.largest ?? NaN;
+  const size = ticks(0, largest, 3)[1] ?? largest;
+  const row = place + (edges.right - edges.left < NARROW ? 1 : 0);
+  const [end, y] = [edges.right - 10, edges.bottom - 9 - SCALE_ROW * row];
+  const start = end - size * perUnit;
+  return [
+    svg("path", { class: `vector ink-${inkOf(of.vectors[0]?.letter ?? "")}`, d: `M${start} ${y}H${end}${barbs({ x: end, y }, 0)}` }),
+    svg("text", { class: "scale beside", x: start - 6, y: y + 4 }, `${size} ${of.unit}`),
+  ];
+}
+
+/** Buttons that choose what is shown on the drawing: what the open tab has, unless somebody wants something else. */
+export class VectorChoice {
+  readonly element = html("div", { class: "choices", role: "group" });
+  private readonly show: (shown: readonly PinVectors[]) => void;
+  private readonly ask: (tab: string) => void;
+  private readonly wanted = new Map<string, boolean>();
+  /** Tabs of all sorts of vectors that were seen, by their titles, and what is known of them. */
+  private readonly tabs = new Map<string, string>();
+  private known: ReadonlyMap<string, PinVectors> = new Map();
+  private titles: readonly string[] = [];
+  private open = "";
+
+  constructor(show: (shown: readonly PinVectors[]) => void, ask: (tab: string) => void) {
+    this.show = show;
+    this.ask = ask;
+  }
+
+  /** Show what the open tab has, and what is wanted of the others: of one that is not there it is asked for. */
+  take(contents: ReadonlyMap<string, TabContent | null>, open: string): void {
+    const found = [...contents].flatMap(([tab, content]) => (content?.vectors ?? []).map((one) => [tab, one] as const));
+    this.known = new Map(found.map(([, one]) => [one.title, one]));
+    for (const [title, tab] of this.tabs) if (contents.get(tab) !== null) this.tabs.delete(title);
+    for (const [tab, one] of found) this.tabs.set(one.title, tab);
+    const order = [...contents.keys()];
+    const place = (title: string): number => order.indexOf(this.tabs.get(title) ?? "");
+    this.titles = [...this.tabs.keys()].sort((one, other) => place(one) - place(other));
+    this.open = open;
+    this.draw();
+  }
+
+  private draw(): void {
+    const { titles } = this;
+    if (!same(titles, [...this.element.children].map((one) => one.textContent))) this.element.replaceChildren(...titles.map((title) => this.button(title)));
+    const isShown = (title: string): boolean => this.wanted.get(title) ?? this.tabs.get(title) === this.open;
+    [...this.element.children].forEach((button, place) => {
+      button.setAttribute("aria-pressed", `${isShown(titles[place] ?? "")}`);
+      button.className = `choice ink-${inkOf(this.known.get(titles[place] ?? "")?.vectors[0]?.letter ?? "")}`;
+    });
+    const shown = titles.filter(isShown);
+    this.show(shown.flatMap((title) => this.known.get(title) ?? []));
+    const missing = shown.filter((title) => !this.known.has(title)).map((title) => this.tabs.get(title) ?? "");
+    for (const tab of new Set(missing)) this.ask(tab);
+  }
+
+  private button(title: string): HTMLButtonElement {
+    const button = html("button", { type: "button" }, html("span", {}, title));
+    button.addEventListener("click", () => {
+      this.wanted.set(title, button.getAttribute("aria-pressed") !== "true");
+      this.draw();
+    });
+    return button;
+  }
+}
