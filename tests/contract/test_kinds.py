@@ -12,7 +12,7 @@ from tests.machines import scaled
 from tests.virtual_work import torque_of_work
 
 import cranktrain as ct
-from cranktrain.cli.new import starting_file
+from cranktrain.io.starting import starting_file
 from cranktrain.io.description import counted_parts
 from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
-from cranktrain.cli.new import starting_file
+from cranktrain.io.starting import starting_file
 from cranktrain.mechanisms import KINDS
 
 SHAFT = {
