@@ -2,8 +2,10 @@
 
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
+import "./paper.css";
 
 import { Address, type Asked } from "./address.ts";
+import { Colours } from "./colours.ts";
 import type { CaseWords, PageCase, PageTrust, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Form, type Problem } from "./form.ts";
@@ -59,6 +61,7 @@ class App {
   private shownMachine = "";
   private page: MachinePage | null = null;
   private readonly address = new Address();
+  private readonly colours = new Colours();
   private asking = new AbortController();
 
   constructor(into: HTMLElement, file: string, examples: readonly string[]) {
@@ -80,7 +83,7 @@ class App {
       this.walk(event.shiftKey ? 1 : -1);
     });
     this.label.append(this.machines);
-    const bar = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.label, this.undo, this.redo, this.save, this.besideLabel, this.keep);
+    const bar = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.label, this.undo, this.redo, this.save, this.besideLabel, this.keep, this.colours.element);
     into.replaceChildren(bar, html("div", { class: "app" }, this.side, this.view));
   }
 
@@ -152,7 +155,7 @@ class App {
       trust: async () => (await this.more("api/trust", asked, signal)) as PageTrust,
     };
     if (this.page) this.page.take(found.machine, source);
-    else this.page = new MachinePage(found.machine, this.view, this.address, source);
+    else this.page = new MachinePage(found.machine, this.view, this.address, this.colours, source);
   }
 
   /** Offer what may stand beside: the file as it is, what was kept, and what stands there. */

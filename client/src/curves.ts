@@ -2,13 +2,20 @@
 
 import uPlot from "uplot";
 
+import { type Figures, NumbersOf, plain, titled } from "./charts.ts";
 import type { Curve, PageCurves, Panel } from "./data.ts";
 import { html, svg } from "./elements.ts";
 import { canvasColour, type Ink, inkOf, LEVELS, PENS } from "./ink.ts";
 import { extent, figure, figures, interpolated, number, same, ticks } from "./numbers.ts";
+import { fineness } from "./paper.ts";
 import { said, symbol } from "./words.ts";
 
 const AXIS = 54;
+/** Between crank angles of tables. [deg] */
+const STEP = 30;
+/** Of a table of a curve over something else. */
+const MOST_ROWS = 25;
+const LETTERS = 11;
 const STACKED = 132;
 const ALONE = 270;
 const LAST = 30;
@@ -36,11 +43,11 @@ export class ShownCurves implements Shown {
   private readonly panels: readonly ShownPanel[];
   private part: PageCurves;
 
-  constructor(part: PageCurves, turned: (angle: number) => void) {
+  constructor(part: PageCurves, numbers: string, turned: (angle: number) => void) {
     this.part = part;
     this.panels = part.panels.map((panel, place) => {
       const isLast = !part.is_stack || place === part.panels.length - 1;
-      return new ShownPanel(panel, { over: isLast ? (part.is_stack ? part.over : panel.over) : "", isStacked: part.is_stack, isLast, turned });
+      return new ShownPanel(panel, { over: part.is_stack ? part.over : panel.over, isStacked: part.is_stack, isLast, numbers, turned });
     });
     this.element = html("div", { class: part.is_stack ? "stack" : "card" }, ...this.panels.map((one) => one.element));
   }
@@ -71,6 +78,8 @@ interface Manner {
   readonly over: string;
   readonly isStacked: boolean;
   readonly isLast: boolean;
+  /** What numbers are called. */
+  readonly numbers: string;
   readonly turned: (angle: number) => void;
 }
 
@@ -86,6 +95,7 @@ class ShownPanel {
   private readonly corner = html("div", {});
   private readonly below = html("div", {});
   private readonly cursor = html("div", { class: "cursor" });
+  private readonly numbers: NumbersOf;
   private readonly readings: HTMLElement[] = [];
   private readonly isOverAngle: boolean;
   private readonly manner: Manner;
@@ -97,6 +107,7 @@ class ShownPanel {
   private reach: readonly [number, number] = [0, 1];
   private limits: readonly [number, number] = [0, 1];
   private plot: uPlot | null = null;
+  private finer = 1;
   private angle = 0;
 
   constructor(panel: Panel, manner: Manner) {
@@ -106,9 +117,13 @@ class ShownPanel {
     const title = html("h3", {}, said(panel.title));
     if (panel.symbol) title.append(" ", symbol(panel.symbol));
     if (panel.unit && manner.isStacked) title.append(html("span", { class: "unit" }, ", ", said(panel.unit)));
-    this.element = html("figure", { class: "panel" }, html("div", { class: "head" }, title, this.legend()), this.room, this.corner);
-    if (manner.over) this.element.append(html("figcaption", {}, said(manner.over)));
-    this.element.append(this.below);
+    this.room.setAttribute("role", "img");
+    this.room.setAttribute("aria-label", title.textContent ?? "");
+    this.numbers = new NumbersOf(manner.numbers, panel.title, () => this.figures());
+    const head = html("div", { class: "head" }, titled(title, this.numbers), this.legend());
+    this.element = html("figure", { class: "panel" }, head, this.room, this.corner);
+    if (manner.over && manner.isLast) this.element.append(html("figcaption", {}, said(manner.over)));
+    this.element.append(this.below, this.numbers.table);
     this.take(panel);
   }
 
@@ -123,6 +138,7 @@ class ShownPanel {
     const below = [...panel.below.map(([, words]) => words), ...panel.marks.filter((one) => one.words && one.sort !== "angle").map((one) => one.words)];
     this.below.replaceChildren(...(below.some(Boolean) ? [html("figcaption", { class: "below" }, ...below.flatMap((words, place) => (place ? [" · ", said(words)] : [said(words)])))] : []));
     this.plot?.setData(this.data());
+    this.numbers.renew();
   }
 
   show(angle: number): void {
@@ -142,11 +158,17 @@ class ShownPanel {
     if (width < 40) return;
     this.plot?.destroy();
     this.inks.clear();
+    this.finer = fineness();
     this.plot = new uPlot(this.options(width), this.data(), this.room);
     if (this.isOverAngle) {
       this.plot.over.append(this.cursor);
       this.show(this.angle);
     }
+  }
+
+  /** The letters of the page, as the canvas takes them. */
+  private font(ratio: number): string {
+    return `${LETTERS * ratio}px ${getComputedStyle(this.element).fontFamily}`;
   }
 
   /** A colour as the canvas takes it. */
@@ -160,16 +182,44 @@ class ShownPanel {
   private legend(): HTMLElement {
     const list = html("ul", { class: "legend" });
     this.panel.curves.forEach((curve) => {
-      const item = html("li", { class: `ink-${inkOf(curve.letter)}` }, lineSample(curve.role));
-      if (curve.symbol) item.append(symbol(curve.symbol));
-      else if (curve.name) item.append(said(curve.name));
-      const reading = html("output", {});
+      const item = html("li", { class: `ink-${inkOf(curve.letter)}` }, lineSample(curve.role), nameOf(curve));
+      const reading = html("output", { "aria-live": "off" });
       this.readings.push(reading);
       if (this.isOverAngle) item.append(reading);
-      const isNamed = curve.name !== "" || (this.manner.isStacked && (curve.symbol !== "" || this.panel.curves.length === 1));
-      if (isNamed && !UNNAMED.has(curve.role)) list.append(item);
+      if (this.isNamed(curve)) list.append(item);
     });
     return list;
+  }
+
+  private isNamed(curve: Curve): boolean {
+    const hasName = curve.name !== "" || (this.manner.isStacked && (curve.symbol !== "" || this.panel.curves.length === 1));
+    return hasName && !UNNAMED.has(curve.role);
+  }
+
+  /** Values of the curves that have a name, or of the first: at each 30°, or at points that are even along a curve. */
+  private figures(): Figures {
+    const { panel, lines } = this;
+    const named = panel.curves.map((_curve, which) => which).filter((which) => this.isNamed(panel.curves[which] as Curve));
+    const shown = (named.length ? named : [0]).filter((which) => lines[which]?.across.length);
+    const over = plain(this.manner.over || panel.across_unit);
+    const value = (one: number): string => figures(one, this.largest);
+    const headOf = (which: number): DocumentFragment => {
+      const head = nameOf(panel.curves[which] as Curve);
+      head.append(panel.unit && ` ${plain(panel.unit)}`);
+      return head;
+    };
+    if (this.isOverAngle) {
+      const places = each(...this.reach, STEP);
+      const row = (place: number): string[] => shown.map((which) => lines[which] as Line).map((line) => value(interpolated(line.across, line.values, place)));
+      return { heads: [over, ...shown.map(headOf)], rows: places.map((place) => [figure(place, STEP), ...row(place)]) };
+    }
+    const most = Math.min(MOST_ROWS, Math.max(0, ...shown.map((which) => lines[which]?.across.length ?? 0)));
+    const pairs = (row: number): string[] => shown.flatMap((which) => {
+      const { across, values } = lines[which] as Line;
+      const place = most > 1 ? Math.round((row * (across.length - 1)) / (most - 1)) : 0;
+      return [figures(across[place] ?? NaN, extent(across)[1]), value(values[place] ?? NaN)];
+    });
+    return { heads: shown.flatMap((which) => [over, headOf(which)]), rows: Array.from({ length: most }, (_one, row) => pairs(row)) };
   }
 
   private findLimits(): readonly [number, number] {
@@ -206,27 +256,28 @@ class ShownPanel {
   /** The library has axes, scales and the grid; curves are drawn as they are, over any points. */
   private options(width: number): uPlot.Options {
     const muted = this.ink("muted");
-    const grid = { stroke: this.ink("grid"), width: 1 };
-    const font = "11px Inter, 'Segoe UI', system-ui, sans-serif";
+    const { finer } = this;
+    const grid = { stroke: this.ink("grid"), width: finer };
+    const font = this.font(finer);
     const isTurn = this.isOverAngle;
     const across = (): number[] => (isTurn ? angles(...this.reach) : ticks(...this.reach, Math.max(3, Math.floor(width / 75))));
     const up = (): number[] => ticks(...this.limits, this.manner.isStacked ? 4 : 5);
     const height = (this.manner.isStacked ? STACKED : ALONE) + (this.manner.isLast ? LAST : 8);
     const steps = (found: readonly number[]): number => (found[1] ?? 1) - (found[0] ?? 0);
     return {
-      width,
-      height,
+      width: width * finer,
+      height: height * finer,
       legend: { show: false },
-      padding: [8, 12, this.manner.isLast ? 0 : 4, 0],
+      padding: [8 * finer, 12 * finer, this.manner.isLast ? 0 : 4 * finer, 0],
       cursor: { show: isTurn, x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
       scales: { x: { time: false, range: () => [...this.reach] }, y: { range: () => [...this.limits] } },
       axes: [
         {
-          size: this.manner.isLast ? 24 : 6, gap: 2, font, stroke: muted, grid, ticks: { show: false },
+          size: (this.manner.isLast ? 24 : 6) * finer, gap: 2 * finer, font, stroke: muted, grid, ticks: { show: false },
           splits: across, values: (_plot, found) => found.map((one) => (this.manner.isLast ? figure(one, steps(found)) : "")),
         },
         {
-          size: AXIS, gap: 4, font, stroke: muted, grid, ticks: { show: false },
+          size: AXIS * finer, gap: 4 * finer, font, stroke: muted, grid, ticks: { show: false },
           splits: up, values: (_plot, found) => found.map((one) => figure(one, steps(found))),
         },
       ],
@@ -251,7 +302,7 @@ class ShownPanel {
 
   private draw(plot: uPlot): void {
     const ink = plot.ctx;
-    const ratio = devicePixelRatio;
+    const ratio = devicePixelRatio * this.finer;
     const x = (value: number): number => plot.valToPos(value, "x", true);
     const y = (value: number): number => plot.valToPos(value, "y", true);
     const box = plot.bbox;
@@ -289,7 +340,7 @@ class ShownPanel {
   }
 
   private write(ink: CanvasRenderingContext2D, text: string, x: number, y: number, ratio: number): void {
-    ink.font = `${11 * ratio}px Inter, 'Segoe UI', system-ui, sans-serif`;
+    ink.font = this.font(ratio);
     ink.fillStyle = this.ink("muted");
     ink.fillText(text, x, y);
   }
@@ -345,9 +396,18 @@ class ShownPanel {
 }
 
 /** Crank angles at an axis: each 30°, each 60° of a longer cycle. */
-function angles(low: number, high: number): number[] {
-  const step = high - low > 360.5 ? 60 : 30;
-  return Array.from({ length: Math.floor((high - low) / step + 1e-6) + 1 }, (_one, place) => low + place * step);
+const angles = (low: number, high: number): number[] => each(low, high, high - low > 360.5 ? 2 * STEP : STEP);
+
+/** Places from low to high, so far apart. */
+const each = (low: number, high: number, step: number): number[] =>
+  Array.from({ length: Math.floor((high - low) / step + 1e-6) + 1 }, (_one, place) => low + place * step);
+
+/** The symbol of a curve, or its name. */
+function nameOf(curve: Curve): DocumentFragment {
+  if (!curve.symbol) return said(curve.name);
+  const name = document.createDocumentFragment();
+  name.append(symbol(curve.symbol));
+  return name;
 }
 
 function stroke(ink: CanvasRenderingContext2D, colour: string, width: number, dashes: readonly number[], draw: () => void): void {

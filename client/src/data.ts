@@ -378,9 +378,14 @@ export interface PageWords {
   readonly on: string;
   readonly keys: string;
   readonly checks: string;
+  readonly numbers: string;
   readonly left_out: string;
   readonly differences: string;
   readonly vectors: string;
+  readonly colours: string;
+  readonly colours_of_system: string;
+  readonly light: string;
+  readonly dark: string;
 }
 
 export interface NumbersOfTable {

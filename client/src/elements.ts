@@ -36,6 +36,18 @@ export function picture(name: string, box: readonly [number, number, number, num
   return made;
 }
 
+/** Let keys scroll an element of a name where it is wider than its room. */
+export function scrolling(element: HTMLElement, name: string): void {
+  new ResizeObserver(() => {
+    const isWider = element.scrollWidth > element.clientWidth;
+    if (isWider === element.hasAttribute("tabindex")) return;
+    for (const [attribute, value] of [["tabindex", "0"], ["role", "region"], ["aria-label", name]] as const) {
+      if (isWider) element.setAttribute(attribute, value);
+      else element.removeAttribute(attribute);
+    }
+  }).observe(element);
+}
+
 function filled<Made extends Element>(element: Made, attributes: Attributes, children: readonly Child[]): Made {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   element.append(...children);

@@ -66,7 +66,7 @@ export class Form {
 
   private row(one: PageInput, set: (path: string, text: string) => void, asInFile: string): HTMLElement {
     const id = `number-${this.fields.size}`;
-    const input = html("input", { id, type: "text", value: one.text, spellcheck: "false", autocomplete: "off", "aria-describedby": `${id}-said` });
+    const input = html("input", { id, type: "text", value: one.text, spellcheck: "false", autocomplete: "off", "aria-describedby": `${id}-said ${id}-status` });
     const said = html("div", { class: "said", id: `${id}-said`, role: "alert" });
     const send = (): void => {
       input.classList.remove("typing");
@@ -82,7 +82,8 @@ export class Form {
       input.value = stepped;
       send();
     });
-    const status = html("span", { class: "status", title: [one.status, one.note].filter(Boolean).join(": ") }, one.status.slice(0, 1).toUpperCase());
+    const known = [one.status, one.note].filter(Boolean).join(": ");
+    const status = html("span", { class: "status", id: `${id}-status`, title: known, ...(known ? { role: "img", "aria-label": known } : {}) }, one.status.slice(0, 1).toUpperCase());
     const back = html("button", { type: "button", class: "back", title: asInFile, "aria-label": `${one.name}: ${asInFile}` }, "↺");
     back.addEventListener("click", () => { set(one.path, ""); });
     this.fields.set(one.path, { input, said });

@@ -1,6 +1,7 @@
 // A page of one machine: the mechanism beside its curves, tab by tab, all at one crank angle.
 
 import type { Address } from "./address.ts";
+import type { Colours } from "./colours.ts";
 import type { PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { dragged, pressed } from "./hands.ts";
@@ -30,19 +31,21 @@ export interface Source {
 /** A machine on a page; another, or the same with other numbers, takes its place where it stands. */
 export class MachinePage {
   readonly turning: Turning;
+  readonly head: HTMLElement;
   private readonly address: Address;
+  private readonly colours: Colours;
   private readonly title = html("h1", {});
   private readonly made = html("p", {});
   private readonly tabs = html("nav", { class: "tabs", role: "tablist" });
   private readonly columns: HTMLElement;
   private readonly stage = html("div", { class: "stage" });
   private readonly slider = html("input", { type: "range", min: 0, step: 1, value: 0 });
-  private readonly reading = html("output", { class: "angle" });
+  private readonly reading = html("output", { class: "angle", "aria-live": "off" });
   private readonly play = html("button", { type: "button", class: "play" });
   private readonly steps: readonly HTMLButtonElement[];
   private readonly keys = html("p", { class: "keys" });
   private readonly leftOut = html("p", { class: "note" });
-  private readonly answers = html("div", { class: "answers" });
+  private readonly answers = html("div", { class: "answers", "aria-live": "polite" });
   private readonly checked = html("div", {});
   private readonly toMind = html("div", {});
   private readonly differ = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
@@ -55,9 +58,10 @@ export class MachinePage {
   private contents = new Map<string, TabContent | null>();
   private trust: PageTrust | null = null;
 
-  constructor(page: ShownMachine, into: HTMLElement, address: Address, source?: Source) {
+  constructor(page: ShownMachine, into: HTMLElement, address: Address, colours: Colours, source?: Source) {
     this.page = page;
     this.address = address;
+    this.colours = colours;
     this.mechanism = new Mechanism(page.drawing, page.words.drawing);
     this.turning = new Turning(number(page.cycle), (angle, isPlaying) => { this.stand(angle, isPlaying); });
     const turned = (angle: number): void => {
@@ -86,7 +90,8 @@ export class MachinePage {
       html("section", { class: "left" }, this.answers, this.checked),
       right,
     );
-    into.replaceChildren(html("header", { class: "head" }, this.title, this.made), this.tabs, this.columns);
+    this.head = html("header", { class: "head" }, this.title, this.made);
+    into.replaceChildren(this.head, this.tabs, this.columns);
     dragged(this.stage, () => this.mechanism, this.turning);
     document.addEventListener("keydown", (event) => { pressed(event, this.turning); });
     let width = right.clientWidth;
@@ -95,7 +100,7 @@ export class MachinePage {
       width = right.clientWidth;
       this.sheets.fit();
     }).observe(right);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.sheets.fit(); });
+    colours.follow(() => { this.sheets.fit(); });
     const { angle } = address.place;
     this.turning.stand(Number.isNaN(angle) ? 0 : angle);
     this.fill(page, source);
@@ -115,6 +120,7 @@ export class MachinePage {
     this.source = source;
     this.contents = new Map(page.tabs.map((tab) => [tab.name, tab.content]));
     const [title, made] = page.name ? [page.name, page.made_of] : [page.made_of, ""];
+    this.colours.take(words);
     write(this.title, title);
     write(this.made, made);
     this.fillTabs(page.tabs);
@@ -176,7 +182,7 @@ export class MachinePage {
     this.panel.classList.remove("computing");
     this.answers.replaceChildren(answer(content.answer), ...(content.beside ? [table(content.beside)] : []));
     this.differ.hidden = !hasDifferences(content);
-    this.sheets.take(content, this.isOfDifferences);
+    this.sheets.take(content, this.page.words.numbers, this.isOfDifferences);
     this.vectors.take(this.contents, this.chosen?.name ?? "");
     this.turning.stand(this.turning.angle);
   }

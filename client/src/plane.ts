@@ -1,25 +1,28 @@
 // Pictures in the plane: polar diagrams, stars, circles of wear, bars, shapes along a shaft.
 
+import { type Figures, NumbersOf, titled } from "./charts.ts";
 import type { Bars, PolarDiagram, PagePolars, ShaftShapes, Stars, PageWear, Rays } from "./data.ts";
 import { html, picture, svg } from "./elements.ts";
 import { colour, methodPen } from "./ink.ts";
-import { at, between, extent, figure, number, row, ticks } from "./numbers.ts";
+import { at, between, extent, figure, figures, number, row, ticks } from "./numbers.ts";
 import type { Shown } from "./curves.ts";
 import { said, spans } from "./words.ts";
 
 const POLAR = 300;
 const RIM = 26;
+/** Between directions and crank angles of tables. [deg] */
+const STEP = 30;
 
 /** Show polar diagrams to one scale; a dot on each stands at the crank angle. */
-export function polars(part: PagePolars): Shown {
+export function polars(part: PagePolars, numbers: string): Shown {
   const reach = Math.max(...part.diagrams.flatMap((one) => one.curves.flatMap((curve) => extent(curve.points.values).map(Math.abs))));
-  const shown = part.diagrams.map((one) => polar(one, part.unit, reach));
+  const shown = part.diagrams.map((one) => polar(one, part.unit, reach, numbers));
   const element = html("div", { class: "plane" }, html("div", { class: "side-by-side" }, ...shown.map((one) => one.element)));
   if (part.notes) element.append(html("p", { class: "note" }, said(part.notes)));
   return { element, show: (angle) => { for (const one of shown) one.show(angle); }, fit: () => undefined };
 }
 
-function polar(diagram: PolarDiagram, unit: string, reach: number): Shown {
+function polar(diagram: PolarDiagram, unit: string, reach: number, numbers: string): Shown {
   const scale = (POLAR / 2 - RIM) / (reach || 1);
   const half = POLAR / 2;
   const x = (value: number): number => value * scale;
@@ -56,26 +59,48 @@ function polar(diagram: PolarDiagram, unit: string, reach: number): Shown {
   drawn.append(vector, dot);
   const first = diagram.curves[0];
   const reading = html("span", { class: "reading" }, `${+size.toPrecision(4)} ${unit}`);
-  const element = html("figure", { class: "panel" }, html("h3", {}, said(diagram.title), html("span", { class: "unit" }, ", ", unit)), drawn, html("figcaption", {}, reading));
+  const cycle = number(diagram.cycle);
+  const place = (angle: number): readonly [number, number] => {
+    const at_ = (line: number): number => (first ? between(row(first.points, line), cycle, angle % cycle) : NaN);
+    return [at_(0), at_(1)];
+  };
+  const below = new NumbersOf(numbers, diagram.title, () => ({
+    heads: ["φ, °", `x, ${unit}`, `y, ${unit}`, unit],
+    rows: Array.from({ length: Math.ceil(cycle / STEP) }, (_one, step) => step * STEP).map((angle) => {
+      const [across, up] = place(angle);
+      return [`${angle}`, ...[across, up, Math.hypot(across, up)].map((one) => figures(one, reach))];
+    }),
+  }));
+  const title = html("h3", {}, said(diagram.title), html("span", { class: "unit" }, ", ", unit));
+  const element = html("figure", { class: "panel" }, titled(title, below), drawn, html("figcaption", {}, reading), below.table);
   return {
     element,
     show: (angle) => {
-      if (!first) return;
-      const cycle = number(diagram.cycle);
-      const now = { x: between(row(first.points, 0), cycle, angle % cycle), y: between(row(first.points, 1), cycle, angle % cycle) };
-      if (!Number.isFinite(now.x)) return;
-      vector.setAttribute("x2", x(now.x).toFixed(2));
-      vector.setAttribute("y2", y(now.y).toFixed(2));
-      dot.setAttribute("transform", `translate(${x(now.x).toFixed(2)} ${y(now.y).toFixed(2)})`);
-      reading.textContent = `${Math.hypot(now.x, now.y).toPrecision(4)} ${unit}`;
+      const [across, up] = place(angle);
+      if (!Number.isFinite(across)) return;
+      vector.setAttribute("x2", x(across).toFixed(2));
+      vector.setAttribute("y2", y(up).toFixed(2));
+      dot.setAttribute("transform", `translate(${x(across).toFixed(2)} ${y(up).toFixed(2)})`);
+      reading.textContent = `${Math.hypot(across, up).toPrecision(4)} ${unit}`;
     },
     fit: () => undefined,
   };
 }
 
 /** Show stars of phases. */
-export function stars(part: Stars): HTMLElement {
-  return html("div", { class: "plane" }, html("h3", {}, said(part.title)), html("div", { class: "side-by-side" }, ...part.rays.map(star)));
+export function stars(part: Stars, numbers: string): HTMLElement {
+  const below = new NumbersOf(numbers, part.title, () => raysOf(part.rays, (rays) => rays.direction.values.map((_one, place) => place), 1, ""));
+  const title = titled(html("h3", {}, said(part.title)), below);
+  return html("div", { class: "plane" }, title, html("div", { class: "side-by-side" }, ...part.rays.map(star)), below.table);
+}
+
+/** Directions and sizes of some of several rays, in parts of a size. */
+function raysOf(all: readonly Rays[], some: (rays: Rays) => Iterable<number>, whole: number, unit: string): Figures {
+  const rows = all.flatMap((rays) => Array.from(some(rays), (place) => {
+    const direction = (at(rays.direction, place) * 180) / Math.PI;
+    return [rays.title.replaceAll("\n", " "), rays.names[place] ?? "", figure(direction, 1), figures(at(rays.size, place) / whole, 1)];
+  }));
+  return { heads: ["", "", "°", unit], rows };
 }
 
 function star(rays: Rays): HTMLElement {
@@ -101,9 +126,16 @@ function star(rays: Rays): HTMLElement {
 }
 
 /** Show circles off which loads take. */
-export function wear(part: PageWear): HTMLElement {
+export function wear(part: PageWear, numbers: string): HTMLElement {
+  const all = part.rows.flat();
+  const even = (rays: Rays): Iterable<number> => {
+    const n = rays.direction.values.length;
+    const step = Math.max(1, Math.round((n * STEP) / 360));
+    return Array.from({ length: Math.ceil(n / step) }, (_one, place) => place * step);
+  };
+  const below = new NumbersOf(numbers, part.words, () => raysOf(all, even, number(part.most) / 100, "%"));
   const rows = part.rows.map((own) => html("div", { class: "side-by-side" }, ...own.map((one) => worn(one, number(part.most)))));
-  return html("div", { class: "plane" }, ...rows, html("p", { class: "note" }, said(part.words)));
+  return html("div", { class: "plane" }, ...rows, titled(html("p", { class: "note" }, said(part.words)), below), below.table);
 }
 
 function worn(rays: Rays, most: number): HTMLElement {
@@ -128,9 +160,17 @@ function worn(rays: Rays, most: number): HTMLElement {
 }
 
 /** Show bars. */
-export function bars(part: Bars): HTMLElement {
+export function bars(part: Bars, numbers: string): HTMLElement {
   const [width, height, left, foot, top] = [560, 210, 46, part.names.length ? 34 : 22, 8];
-  const element = html("figure", { class: "panel" }, html("h3", {}, said(part.title)));
+  const most = Math.max(...extent([...part.low.values, ...part.high.values]).map(Math.abs));
+  const below = new NumbersOf(numbers, part.title, () => ({
+    heads: ["", part.unit],
+    rows: Array.from(part.across.values, (across, place) => {
+      const ends = [at(part.low, place), at(part.high, place)].map((one) => figures(one, most));
+      return [part.names[place] ?? `${across}`, ends[0] === "0" ? `${ends[1]}` : ends.join(" … ")];
+    }),
+  }));
+  const element = html("figure", { class: "panel" }, titled(html("h3", {}, said(part.title)), below));
   const n = part.across.values.length;
   if (n && part.low.values.some((low, place) => low !== at(part.high, place))) {
     const [low, high] = extent([0, ...part.low.values, ...part.high.values]);
@@ -156,11 +196,12 @@ export function bars(part: Bars): HTMLElement {
     element.append(drawn);
   }
   for (const note of part.notes) element.append(html("figcaption", {}, said(note)));
+  element.append(below.table);
   return element;
 }
 
 /** Show shapes along a shaft. */
-export function shapes(part: ShaftShapes): HTMLElement {
+export function shapes(part: ShaftShapes, numbers: string): HTMLElement {
   const [width, each, left] = [560, 76, 30];
   const n = part.names.length;
   const isTurned = part.names.some((name) => name.length * 6.5 > (width - left) / n);
@@ -183,5 +224,9 @@ export function shapes(part: ShaftShapes): HTMLElement {
     const [across, y] = [x(place), height - foot + 16];
     drawn.append(svg("text", isTurned ? { class: "name turned", transform: `translate(${across + 4} ${y - 4}) rotate(90)` } : { class: "name", x: across, y }, name));
   });
-  return html("figure", { class: "panel" }, html("h3", {}, said(part.title)), drawn);
+  const below = new NumbersOf(numbers, part.title, () => ({
+    heads: ["", ...part.shapes.map((shape) => said(shape.title))],
+    rows: part.names.map((name, place) => [name, ...part.shapes.map((shape) => figures(at(shape.amplitude, place), 1))]),
+  }));
+  return html("figure", { class: "panel" }, titled(html("h3", {}, said(part.title)), below), drawn, below.table);
 }

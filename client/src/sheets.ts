@@ -17,16 +17,18 @@ export class Sheets {
   private readonly turned: Turned;
   private sheets: readonly PageSheet[] = [];
   private parts: ShownPart[] = [];
+  private numbers = "";
 
   constructor(turned: Turned) {
     this.turned = turned;
   }
 
-  /** Show the sheets of a tab, or differences from a saved case; those that have the same parts stay, and their parts change. */
-  take(content: TabContent, isOfDifferences: boolean): void {
+  /** Show the sheets of a tab, or differences from a saved case, with the word for numbers; the same parts stay and change. */
+  take(content: TabContent, numbers: string, isOfDifferences: boolean): void {
     const sheets = isOfDifferences ? content.sheets.map(differencesOf) : content.sheets;
-    const isOfTheSameParts = same(this.sheets.map(frameOf), sheets.map(frameOf));
+    const isOfTheSameParts = this.numbers === numbers && same(this.sheets.map(frameOf), sheets.map(frameOf));
     this.sheets = sheets;
+    this.numbers = numbers;
     if (isOfTheSameParts) {
       partsOf(sheets).forEach((part, place) => this.parts[place]?.take(part));
       return;
@@ -48,7 +50,7 @@ export class Sheets {
 
   private sheet(sheet: PageSheet): HTMLElement {
     const columns = sheet.columns.filter((parts) => parts.length).map((parts) => {
-      const shown = parts.map((part) => new ShownPart(part, this.turned));
+      const shown = parts.map((part) => new ShownPart(part, this.numbers, this.turned));
       this.parts.push(...shown);
       return html("div", { class: "column" }, ...shown.map((one) => one.element));
     });
@@ -74,15 +76,17 @@ const partsOf = (sheets: readonly PageSheet[]): Part[] => sheets.flatMap((sheet)
 
 /** A part of a sheet as it is shown. */
 class ShownPart {
+  private readonly numbers: string;
   private readonly turned: Turned;
   private part: Part;
   private shown: Shown;
   private angle = 0;
 
-  constructor(part: Part, turned: Turned) {
+  constructor(part: Part, numbers: string, turned: Turned) {
     this.part = part;
+    this.numbers = numbers;
     this.turned = turned;
-    this.shown = drawn(part, turned);
+    this.shown = drawn(part, numbers, turned);
   }
 
   get element(): HTMLElement {
@@ -94,7 +98,7 @@ class ShownPart {
     this.part = part;
     if (this.shown instanceof ShownCurves && part.is === "PageCurves" && this.shown.take(part)) return;
     const before = this.shown.element;
-    this.shown = drawn(part, this.turned);
+    this.shown = drawn(part, this.numbers, this.turned);
     before.replaceWith(this.shown.element);
     this.shown.fit();
     this.shown.show(this.angle);
@@ -111,20 +115,20 @@ class ShownPart {
 }
 
 /** Draw a part of a sheet. */
-function drawn(part: Part, turned: Turned): Shown {
+function drawn(part: Part, numbers: string, turned: Turned): Shown {
   switch (part.is) {
     case "PageCurves":
-      return new ShownCurves(part, turned);
+      return new ShownCurves(part, numbers, turned);
     case "PagePolars":
-      return polars(part);
+      return polars(part, numbers);
     case "Bars":
-      return standing(bars(part));
+      return standing(bars(part, numbers));
     case "Stars":
-      return standing(stars(part));
+      return standing(stars(part, numbers));
     case "PageWear":
-      return standing(wear(part));
+      return standing(wear(part, numbers));
     case "ShaftShapes":
-      return standing(shapes(part));
+      return standing(shapes(part, numbers));
     case "PageTable":
       return standing(table(part));
     case "Notes":

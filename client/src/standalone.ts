@@ -2,8 +2,10 @@
 
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
+import "./paper.css";
 
 import { Address } from "./address.ts";
+import { Colours } from "./colours.ts";
 import type { ShownMachine } from "./data.ts";
 import { ofBytes, revived } from "./numbers.ts";
 import { MachinePage } from "./page.ts";
@@ -18,7 +20,9 @@ async function start(): Promise<void> {
   const [data, numbers] = await Promise.all([opened("data"), opened("numbers")]);
   const page = revived(JSON.parse(new TextDecoder().decode(data)), ofBytes(new Uint8Array(numbers))) as ShownMachine;
   const into = document.getElementById("page");
-  if (into) new MachinePage(page, into, new Address());
+  if (!into) return;
+  const colours = new Colours();
+  new MachinePage(page, into, new Address(), colours).head.append(colours.element);
 }
 
 void start();

@@ -1,7 +1,8 @@
 // Tables: rows of an answer, tables of a sheet, checks.
 
+import { plain } from "./charts.ts";
 import type { PageCheck, PageTable, WrittenGroup } from "./data.ts";
-import { html, svg } from "./elements.ts";
+import { html, scrolling, svg } from "./elements.ts";
 import { colour, methodPen } from "./ink.ts";
 import { said } from "./words.ts";
 
@@ -31,6 +32,7 @@ export function answer(group: WrittenGroup): HTMLElement {
 /** Show a table of a sheet. */
 export function table(part: PageTable): HTMLElement {
   const element = html("div", { class: "table" });
+  scrolling(element, plain(part.title || part.heads.join(" ")));
   if (part.title) element.append(html("h3", {}, said(part.title)));
   const whole = html("table", {});
   const head = html("thead", {});

@@ -9,8 +9,11 @@ import time
 from pathlib import Path
 
 import pytest
+from tests.browser import Watched, browser
 
+import cranktrain as ct
 from cranktrain.cli import main
+from cranktrain.web.standalone import standalone_page
 
 SOURCE = Path(__file__).parents[2] / "src"
 SOON = """
@@ -84,3 +87,43 @@ def starting(tmp_path):
         )
 
     return started
+
+
+@pytest.fixture(scope="session")
+def chromium():
+    """A browser, for all tests that look at pages."""
+    with browser() as one:
+        yield one
+
+
+@pytest.fixture(scope="session")
+def written(tmp_path_factory):
+    """Addresses of pages that stand alone, by example."""
+    folder, found = tmp_path_factory.mktemp("pages"), {}
+
+    def address(name):
+        if name not in found:
+            path = folder / f"{name}.html"
+            path.write_text(standalone_page(ct.run(name)), encoding="utf-8")
+            found[name] = path.as_uri()
+        return found[name]
+
+    return address
+
+
+@pytest.fixture
+def opened(chromium, written):
+    """Open such a page at a place; nothing may go wrong on it."""
+    contexts = []
+
+    def open_page(name, place="#phi=0", width=1440, height=900, **more):
+        contexts.append(chromium.new_context(viewport={"width": width, "height": height}, **more))
+        watched = Watched(contexts[-1], written(name) + place)
+        found.append(watched)
+        return watched.page
+
+    found = []
+    yield open_page
+    for context in contexts:
+        context.close()
+    assert [fault for one in found for fault in one.faults] == []

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from tests.browser import Watched, browser
+from tests.browser import Watched
 
 import cranktrain as ct
 from cranktrain.io.examples import EXAMPLES_FOLDER
@@ -14,43 +14,6 @@ EXAMPLES = sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml"))
 SETTLED = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
 LEAST_TEXT = 10.9
 """[px]"""
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    with browser() as one:
-        yield one
-
-
-@pytest.fixture(scope="module")
-def written(tmp_path_factory):
-    folder, found = tmp_path_factory.mktemp("pages"), {}
-
-    def address(name):
-        if name not in found:
-            path = folder / f"{name}.html"
-            path.write_text(standalone_page(ct.run(name)), encoding="utf-8")
-            found[name] = path.as_uri()
-        return found[name]
-
-    return address
-
-
-@pytest.fixture
-def opened(chromium, written):
-    contexts = []
-
-    def open_page(name, place="#phi=0", width=1440, height=900, **more):
-        contexts.append(chromium.new_context(viewport={"width": width, "height": height}, **more))
-        watched = Watched(contexts[-1], written(name) + place)
-        found.append(watched)
-        return watched.page
-
-    found = []
-    yield open_page
-    for context in contexts:
-        context.close()
-    assert [fault for one in found for fault in one.faults] == []
 
 
 def angle(page):

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from urllib.request import urlopen
 
 import pytest
-from tests.browser import Watched, browser
+from tests.browser import Watched
 from tests.e2e.conftest import environment
 from tests.sentences import NOT_POSITIVE
 
@@ -34,12 +34,6 @@ def served(folder, *asked):
 @pytest.fixture(scope="module")
 def address(tmp_path_factory):
     with served(tmp_path_factory.mktemp("served"), "burning_cylinder") as one:
-        yield one
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    with browser() as one:
         yield one
 
 
@@ -104,7 +98,7 @@ def test_a_wrong_number_is_said_beside_it_and_the_page_stays(opened):
     page = opened("#machine=3d12&phi=0")
     settled(page, "stroke", "180.0")
     field = typed(page, "bore", "-3 mm")
-    said = page.locator(f"#{field.get_attribute('aria-describedby')}")
+    said = page.locator(f"#{field.get_attribute('aria-describedby').split()[0]}")
     said.get_by_text(f"{NOT_POSITIVE} mm").wait_for()
     assert field.get_attribute("aria-invalid") == "true"
     assert row(page, "stroke")[0] == "180.0"

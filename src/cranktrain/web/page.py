@@ -111,9 +111,14 @@ class PageWords:
     on: Words
     keys: Words
     checks: Words
+    numbers: Words
     left_out: Words
     differences: Words
     vectors: Words
+    colours: Words
+    colours_of_system: Words
+    light: Words
+    dark: Words
 
 
 def _page_words() -> PageWords:
@@ -127,9 +132,14 @@ def _page_words() -> PageWords:
         on=_("1° on"),
         keys=_("space turns and stops · ← → 1°, with shift 10° · Home 0°"),
         checks=_("Checks"),
+        numbers=_("Numbers"),
         left_out=_("Not drawn, as their shaft has no place in the file:"),
         differences=_("Differences from the saved case"),
         vectors=_("Vectors on the drawing"),
+        colours=_("Colours"),
+        colours_of_system=_("colours as the system"),
+        light=_("light colours"),
+        dark=_("dark colours"),
     )
 
 
