@@ -12,8 +12,8 @@ from tests.machines import scaled
 from tests.virtual_work import torque_of_work
 
 import cranktrain as ct
-from cranktrain.io.starting import starting_file
 from cranktrain.io.description import counted_parts
+from cranktrain.io.starting import starting_file
 from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.closing import closing_margin

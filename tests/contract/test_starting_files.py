@@ -8,8 +8,8 @@ import pytest
 from tests.smallest_files import tables_of, without_marks
 
 import cranktrain as ct
-from cranktrain.io.starting import starting_file
 from cranktrain.cli.screen.answer import minded
+from cranktrain.io.starting import starting_file
 from cranktrain.mechanisms import KINDS
 
 EXPLAINED = {
