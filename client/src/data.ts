@@ -24,6 +24,7 @@ export interface ShownMachine {
   readonly tabs: readonly (PageTab)[];
   readonly trust: PageTrust | null;
   readonly drawing: MachineDrawing;
+  readonly ghosts: Numbers;
   readonly words: PageWords;
 }
 
@@ -386,6 +387,7 @@ export interface PageWords {
   readonly colours_of_system: string;
   readonly light: string;
   readonly dark: string;
+  readonly ghosts: string;
 }
 
 export interface NumbersOfTable {

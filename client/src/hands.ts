@@ -1,10 +1,10 @@
-// What turns the crank: keys, and dragging round the shaft.
+// What keys do, and dragging round the shaft.
 
 import type { Mechanism } from "./mechanism.ts";
 import type { Turning } from "./turning.ts";
 
-/** Keys turn the crank, unless somebody types. */
-export function pressed(event: KeyboardEvent, turning: Turning): void {
+/** Keys turn the crank, or do something else by where they are, unless somebody types. */
+export function pressed(event: KeyboardEvent, turning: Turning, others: Readonly<Record<string, () => void>>): void {
   const { target } = event;
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT|SUMMARY)$/.test(target.tagName))) return;
@@ -14,6 +14,7 @@ export function pressed(event: KeyboardEvent, turning: Turning): void {
   else if (event.key === "ArrowLeft") turning.step(-by);
   else if (event.key === "Home") turning.step(-turning.angle);
   else if (event.key === " " && !(target instanceof HTMLButtonElement)) turning.toggle();
+  else if (others[event.code]) others[event.code]?.();
   else return;
   event.preventDefault();
 }

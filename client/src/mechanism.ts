@@ -40,6 +40,7 @@ export class Mechanism {
   private readonly drawing: MachineDrawing;
   private readonly moving: Moving[] = [];
   private readonly edges: Edges;
+  private readonly ghosts = svg("g", { class: "ghost" });
   private readonly layer = svg("g", {});
   private vectors: DrawnVectors | null = null;
   private shown = 0;
@@ -62,6 +63,7 @@ export class Mechanism {
     ];
     this.element = picture("mechanism", box, svg("title", {}, label));
     const layer = (): SVGGElement => this.element.appendChild(svg("g"));
+    this.element.append(this.ghosts);
     const [still, paths, bodies, links, standing, pins, loads] = [layer(), layer(), layer(), layer(), layer(), layer(), layer()];
     for (const shaft of drawing.shafts) this.ring(shaft.name, still);
     for (const one of drawing.mechanisms) {
@@ -85,6 +87,26 @@ export class Mechanism {
     for (const move of this.moving) move(place);
     this.vectors?.show(place);
     this.shown = place;
+  }
+
+  /** Show thin ghosts of it at some crank angles, and no others. [deg] */
+  showGhosts(angles: Iterable<number>): void {
+    this.ghosts.replaceChildren(...Array.from(angles).flatMap((angle) => this.ghost(angle)));
+  }
+
+  private ghost(angle: number): SVGElement[] {
+    const bars = this.ownLinks().map(({ of, link }) => {
+      const d = link.pins.map((name, place) => `${place ? "L" : "M"}${xy(this.pin(of, name, angle))}`).join("");
+      return svg("path", { d });
+    });
+    const sliders = this.drawing.mechanisms.flatMap((of) => {
+      if (!of.output) return [];
+      const line = this.lineOf(of, of.output);
+      const along = line.along(this.pin(of, of.output.pin, angle));
+      const moved = svg("g", { transform: `translate(${along.toFixed(2)} 0)` }, ...this.slider(of, of.output).moving());
+      return Number.isFinite(along) ? [svg("g", { transform: line.frame }, moved)] : [];
+    });
+    return [...bars.filter((one) => !one.getAttribute("d")?.includes("NaN")), ...sliders];
   }
 
   /** Show vectors, and no others. */
@@ -350,29 +372,38 @@ export class Mechanism {
 
   /** The slider with its cylinder or guides, in axes along its line: the foot at 0. */
   private output(of: MechanismDrawing, output: OutputDrawing, still: SVGGElement, moves: SVGGElement): void {
-    const shift = this.shifts.get(`${of.name} ${output.pin}`) ?? { x: 0, y: 0 };
-    const foot = this.point(at(output.foot, 0) + shift.x, at(output.foot, 1) + shift.y);
-    const [x, y] = [at(output.along, 0), -at(output.along, 1)];
-    if (!Number.isFinite(foot.x)) return;
-    const frame = `matrix(${x} ${y} ${-y} ${x} ${xy(foot)})`;
+    const line = this.lineOf(of, output);
+    const { frame } = line;
+    if (frame.includes("NaN")) return;
     const standing = svg("g", { class: "cylinder", transform: frame });
     const sliding = svg("g", { class: "slider" });
     const group = svg("g", { transform: frame }, sliding);
     const gas = svg("rect", { class: "gas" });
-    const isShared = this.drawing.mechanisms.some((one) => one !== of && one.cylinder === of.cylinder && one.output?.bore);
-    const shape = new Slider(output, this.scale, isShared);
+    const shape = this.slider(of, output);
     standing.append(...shape.still(), ...(shape.hasGas ? [gas] : []));
     sliding.append(...shape.moving(), svg("title", {}, of.name));
     still.append(standing);
     moves.append(group);
     this.moving.push((angle) => {
-      const pin = this.pin(of, output.pin, angle);
-      const along = (pin.x - foot.x) * x + (pin.y - foot.y) * y;
+      const along = line.along(this.pin(of, output.pin, angle));
       group.toggleAttribute("hidden", !Number.isFinite(along));
       if (!Number.isFinite(along)) return;
       sliding.setAttribute("transform", `translate(${along.toFixed(2)} 0)`);
       shape.fill(gas, along);
     });
+  }
+
+  /** The line of a slider: axes along it, the foot at 0, and how far along it a point is. */
+  private lineOf(of: MechanismDrawing, output: OutputDrawing): { frame: string; along: (pin: Point) => number } {
+    const shift = this.shifts.get(`${of.name} ${output.pin}`) ?? { x: 0, y: 0 };
+    const foot = this.point(at(output.foot, 0) + shift.x, at(output.foot, 1) + shift.y);
+    const [x, y] = [at(output.along, 0), -at(output.along, 1)];
+    return { frame: `matrix(${x} ${y} ${-y} ${x} ${xy(foot)})`, along: (pin) => (pin.x - foot.x) * x + (pin.y - foot.y) * y };
+  }
+
+  private slider(of: MechanismDrawing, output: OutputDrawing): Slider {
+    const isShared = this.drawing.mechanisms.some((one) => one !== of && one.cylinder === of.cylinder && one.output?.bore);
+    return new Slider(output, this.scale, isShared);
   }
 
   /** A load: an arrow as long as it is part of the largest. */

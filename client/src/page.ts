@@ -52,6 +52,7 @@ export class MachinePage {
   private readonly sheets: Sheets;
   private readonly vectors = new VectorChoice((shown) => { this.mechanism.showVectors(shown); }, (tab) => { this.load(tab); });
   private readonly panel: HTMLElement;
+  private readonly ghosts = html("button", { type: "button", class: "choice", title: "G", "aria-pressed": "false" });
   private mechanism: Mechanism;
   private page: ShownMachine;
   private source: Source | undefined;
@@ -86,14 +87,15 @@ export class MachinePage {
     const [back, on] = this.steps as [HTMLButtonElement, HTMLButtonElement];
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, html("div", { class: "turning-controls" }, this.play, back, this.slider, on, this.reading), this.vectors.element, this.keys, this.leftOut),
+      html("section", { class: "drawing" }, this.stage, html("div", { class: "turning-controls" }, this.play, back, this.slider, on, this.reading), html("div", { class: "choices" }, this.vectors.element, this.ghosts), this.keys, this.leftOut),
       html("section", { class: "left" }, this.answers, this.checked),
       right,
     );
     this.head = html("header", { class: "head" }, this.title, this.made);
     into.replaceChildren(this.head, this.tabs, this.columns);
     dragged(this.stage, () => this.mechanism, this.turning);
-    document.addEventListener("keydown", (event) => { pressed(event, this.turning); });
+    this.ghosts.addEventListener("click", () => { this.haunt(true); });
+    document.addEventListener("keydown", (event) => { pressed(event, this.turning, { KeyG: () => { this.haunt(true); } }); });
     let width = right.clientWidth;
     new ResizeObserver(() => {
       if (right.clientWidth === width) return;
@@ -133,6 +135,8 @@ export class MachinePage {
     });
     write(this.keys, words.keys);
     write(this.differ, words.differences);
+    this.ghosts.replaceChildren(html("span", {}, words.ghosts));
+    this.haunt();
     this.vectors.element.setAttribute("aria-label", words.vectors);
     write(this.leftOut, page.drawing.left_out.length ? `${words.left_out} ${page.drawing.left_out.join(", ")}` : "");
     if (this.stage.firstChild !== this.mechanism.element) this.stage.replaceChildren(this.mechanism.element);
@@ -185,6 +189,13 @@ export class MachinePage {
     this.sheets.take(content, this.page.words.numbers, this.isOfDifferences);
     this.vectors.take(this.contents, this.chosen?.name ?? "");
     this.turning.stand(this.turning.angle);
+  }
+
+  /** Show the dead centres, or not. */
+  private haunt(isOther = false): void {
+    const isOn = (this.ghosts.getAttribute("aria-pressed") === "true") !== isOther;
+    this.ghosts.setAttribute("aria-pressed", `${isOn}`);
+    this.mechanism.showGhosts(isOn ? this.page.ghosts.values : []);
   }
 
   /** Say what is to be minded, and how checks came out. */

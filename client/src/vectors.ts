@@ -113,7 +113,7 @@ function scaleArrow(of: PinVectors, perUnit: number, edges: Edges, place: number
 
 /** Buttons that choose what is shown on the drawing: what the open tab has, unless somebody wants something else. */
 export class VectorChoice {
-  readonly element = html("div", { class: "choices", role: "group" });
+  readonly element = html("div", { class: "vectors", role: "group" });
   private readonly show: (shown: readonly PinVectors[]) => void;
   private readonly ask: (tab: string) => void;
   private readonly wanted = new Map<string, boolean>();

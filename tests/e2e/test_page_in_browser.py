@@ -183,6 +183,23 @@ def test_each_tab_turns_on_its_own_vectors_and_a_click_others(opened):
     assert page.locator(".mechanism .vector").count() == 0
 
 
+def test_ghosts_stand_at_the_dead_centres(opened):
+    """Crank and rod of each in line with the cylinder; the key shows and hides them."""
+    page = opened("burning_cylinder", "#phi=70")
+    ghosts = page.locator(".mechanism .ghost > path")
+    assert ghosts.count() == 0
+    page.keyboard.press("g")
+    ends = [
+        [complex(*map(float, part.split())) for part in re.split("[ML]", one.get_attribute("d"))[1:]]
+        for one in ghosts.all()
+    ]
+    assert len(ends) == 4
+    directions = sorted({round(float(np.angle(end - start, deg=True))) % 360 for start, end in ends})
+    assert directions == [90, 270]
+    page.locator("button", has_text="Dead centres").click()
+    assert ghosts.count() == 0
+
+
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_every_tab_of_every_example(opened, name):
     """Something is drawn or said on each; no text is too small, nothing reaches beyond the window."""

@@ -14,6 +14,8 @@ from cranktrain.errors import InputError
 from cranktrain.io.title import headed
 from cranktrain.language import Words, _
 from cranktrain.layout.question import Question
+from cranktrain.motion import Array
+from cranktrain.panels.dead_positions import dead_positions
 from cranktrain.panels.drawing import MachineDrawing
 from cranktrain.panels.drawing_of_machine import machine_drawing
 from cranktrain.panels.parts import Notes, Sheet, SheetColumn, Stack
@@ -119,6 +121,7 @@ class PageWords:
     colours_of_system: Words
     light: Words
     dark: Words
+    ghosts: Words
 
 
 def _page_words() -> PageWords:
@@ -140,6 +143,7 @@ def _page_words() -> PageWords:
         colours_of_system=_("colours as the system"),
         light=_("light colours"),
         dark=_("dark colours"),
+        ghosts=_("Dead centres"),
     )
 
 
@@ -158,6 +162,8 @@ class ShownMachine:
         None where they were not asked for.
     drawing : MachineDrawing
         Its first throw over the cycle, both ends included.
+    ghosts : Array
+        Crank angles of its ghosts, at which its first mechanism turns back; none where nothing is drawn. [deg]
     words : PageWords
     """
 
@@ -167,6 +173,7 @@ class ShownMachine:
     tabs: tuple[PageTab, ...]
     trust: PageTrust | None
     drawing: MachineDrawing
+    ghosts: Array
     words: PageWords
 
 
@@ -203,6 +210,7 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
         drawing=machine_drawing(
             machine, np.arange(0.0, result.cycle + _STEP / 2, _STEP), mechanism=throw[0].name if throw else None
         ),
+        ghosts=dead_positions(machine, throw[0]) if throw else np.empty(0),
         words=_page_words(),
     )
 
