@@ -210,5 +210,5 @@ def test_vectors_that_are_wanted_stay_through_an_edit(opened):
     typed(page, "speed", f"{10 * speed:.0f} rpm")
     page.locator(".mechanism text.beside", has_text="100 m/s").wait_for()
     assert len(scales.all_text_contents()) == 2
-    names = page.locator(".choice").all_inner_texts()
+    names = page.locator(".vectors .choice").all_inner_texts()
     assert names == ["Velocities", "Gas force", "Side force", "Crank pin"]
