@@ -217,6 +217,8 @@ function opened(answer: ArrayBuffer): unknown {
 async function start(): Promise<void> {
   const into = document.getElementById("page");
   if (!into) return;
+  // The browser keeps the token: it need not stand where others look on.
+  if (location.search) history.replaceState(null, "", location.pathname + location.hash);
   const examples = (await (await fetch("api/examples")).json()) as { name: string }[];
   await new App(into, into.dataset["file"] ?? "", examples.map((one) => one.name)).show();
 }

@@ -371,13 +371,16 @@ def _web(
         typer.Argument(metavar="[FILE]", help=N_("A machine file, or the name of an example."), show_default=False),
     ] = None,
     port: Annotated[int | None, typer.Option(metavar="N", help=N_("The first that is free unless given."))] = None,
+    host: Annotated[
+        str, typer.Option(metavar="HOST", help=N_("At which it listens; others ask for a token."))
+    ] = "127.0.0.1",
     no_browser: Annotated[
         bool, typer.Option("--no-browser", help=N_("Open no browser; say the address alone."))
     ] = False,
 ) -> None:
     from cranktrain.cli.web import serve
 
-    serve(file, port, opens=not no_browser)
+    serve(file, port, host, opens=not no_browser)
 
 
 @_app.command(

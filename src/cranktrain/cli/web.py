@@ -1,22 +1,23 @@
-"""`web`: the page in a browser, served to this computer alone."""
+"""`web`: the page in a browser, served to this computer alone unless another host is named."""
 
+import errno
+import secrets
 import socket
+import sys
 import threading
 import webbrowser
 from collections.abc import Iterator
 
+from cranktrain.cli.options import n_processors
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.extras import imported, lacking
-from cranktrain.io.machine_file import read_machine
+from cranktrain.extras import lacking
 from cranktrain.language import said as _
 
-_HOST, _PORT, _MOST_PORTS = "127.0.0.1", 8765, 20
+_PORT, _MOST_PORTS = 8765, 20
 """First port, and how many behind it are tried where others have it."""
-_LAST = 1
-"""How long it waits at its end for browsers that hold on to it. [s]"""
 
 
-def serve(file: str | None, port: int | None, *, opens: bool) -> None:
+def serve(file: str | None, port: int | None, host: str, *, opens: bool) -> None:
     """Serve pages until Ctrl-C.
 
     Parameters
@@ -25,44 +26,71 @@ def serve(file: str | None, port: int | None, *, opens: bool) -> None:
         A machine file, or the name of an example, that the page shows first.
     port : int or None
         The first that is free unless given.
+    host : str
+        Name or address of this computer at which it listens. Where others reach it, whoever asks needs a token.
     opens : bool
         Whether a browser is opened.
 
     Raises
     ------
     InputError
-        If a package is missing, the port is taken, or the machine file is wrong.
+        If a package is missing, the port is taken, the host is not this computer, or the machine file is wrong.
     """
     refuse(problem for package in ("fastapi", "uvicorn") for problem in lacking(package, "web"))
     if file is not None:
-        read_machine(file, partial=True)
-    bound = _bound(port)
-    address = f"http://{_HOST}:{bound.getsockname()[1]}/"
-    uvicorn = imported("uvicorn", "web")
-    from cranktrain.web.service import service
+        from cranktrain.io.machine_file import read_machine  # who only serves reads nothing
 
-    settings = uvicorn.Config(service(file), log_level="error", access_log=False, timeout_graceful_shutdown=_LAST)
-    server = uvicorn.Server(settings)
+        read_machine(file, partial=True)
+    from cranktrain.web.guard import Door
+    from cranktrain.web.server import Server
+    from cranktrain.web.service import service
+    from cranktrain.web.workers import Workers
+
+    bound = _bound(host, port)
+    door = Door(host)
+    if door.is_open:
+        door = Door(host, secrets.token_urlsafe(24))
+        open_to = _("! whoever reaches {host} and knows this address may ask; what is sent can be read on the way")
+        print(open_to.format(host=host), file=sys.stderr)
+    workers = Workers(n_processors())
+    server = Server(service(file, replying=workers, door=door), workers)
+    address = _address(host, bound.getsockname()[1], door.token)
     print(_("the page is at {address}; Ctrl-C ends it", address=address), flush=True)
     if opens:
         threading.Timer(0.3, webbrowser.open, [address]).start()
     server.run(sockets=[bound])
 
 
-def _bound(port: int | None) -> socket.socket:
+def _address(host: str, port: int, token: str | None) -> str:
+    """Give what is typed into a browser; of a service at all addresses of this computer by the computer's name."""
+    name = socket.gethostname() if host in ("0.0.0.0", "::") else f"[{host}]" if ":" in host else host
+    return f"http://{name}:{port}/" + (f"?token={token}" if token else "")
+
+
+def _bound(host: str, port: int | None) -> socket.socket:
     """Take a port of this computer."""
+    try:
+        family, *_sort, place = socket.getaddrinfo(host, None, type=socket.SOCK_STREAM)[0]
+    except (socket.gaierror, UnicodeError):
+        raise InputError([_no_host(host)]) from None
     for number in _ports(port):
-        one = socket.socket()
+        one = socket.socket(family)
         one.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
-            one.bind((_HOST, number))
+            one.bind((place[0], number, *place[2:]))
             one.listen()  # a browser that is quicker than the service waits for it
-        except (OSError, OverflowError):
+        except (OSError, OverflowError) as error:
             one.close()
+            if isinstance(error, OSError) and error.errno == errno.EADDRNOTAVAIL:
+                raise InputError([_no_host(host)]) from None
         else:
             return one
     allowed = _("is taken, or may not be used") if port is not None else _("no port is free from {first}", first=_PORT)
     raise InputError([Problem("--port", None if port is None else str(port), allowed, _("name another: --port 8900"))])
+
+
+def _no_host(host: str) -> Problem:
+    return Problem("--host", host, _("is no name or address of this computer"), _("--host 0.0.0.0 is all it has"))
 
 
 def _ports(port: int | None) -> Iterator[int]:

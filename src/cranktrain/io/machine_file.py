@@ -175,9 +175,9 @@ def _checked(
     """Make a machine of its tables, with all that is wrong at its place."""
     # A curve that cannot be read is one problem among the others.
     read = with_arguments(with_curves, read=curves)
+    where = TypedFile(read, folder.absolute(), origin.typed.text, origin.typed.data)
     filled, found = read(in_place_of_lists(data, origin.paths))
     try:
-        where = TypedFile(read, folder.absolute(), origin.typed.text, origin.typed.data)
         machine = Machine(**cast("dict[str, Any]", filled)).coming_from(where)
         wrong = machine_problems(machine, partial=partial)
         if not found and not wrong:

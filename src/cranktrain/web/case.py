@@ -2,20 +2,21 @@
 
 from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple
 
 from cranktrain.analysis import Result
-from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of, read_machine
+from cranktrain.errors import InputError, Problem
+from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of, read_machine, read_text
 from cranktrain.language import Words, _
 from cranktrain.one_line import one_line
 from cranktrain.paths import parts_of
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
+from cranktrain.web.asked import MOST_KEPT, Case
 from cranktrain.web.packed import Packed, packed
 from cranktrain.web.page import ShownMachine, machine_page, page_trust, tab_content, tab_names
 
-_MOST_KEPT = 4
-"""Machines of which what was computed is kept for what the same page asks next."""
+_MOST_MECHANISMS = 200
+"""Of a machine; a thousand take a gigabyte."""
 
 
 @record
@@ -79,63 +80,80 @@ class PageCase:
     words: CaseWords
 
 
-class Case(NamedTuple):
-    """A machine file, or the name of an example, and numbers set anew, as `read_machine` takes both."""
+def packed_page(case: Case, tab: str, beside: Case | None = None) -> Packed:
+    """Compute what a page shows with a tab open, and pack it.
 
-    source: str
-    settings: tuple[str, ...] = ()
+    Parameters
+    ----------
+    case : Case
+    tab : str
+        Its name; the first where there is none of it.
+    beside : Case, optional
+        A saved case that stands beside it.
 
-    def packed_page(self, tab: str, beside: "Case | None" = None) -> Packed:
-        """Compute what a page shows with a tab open, and pack it; `beside` is a saved case that stands beside it.
+    Returns
+    -------
+    Packed
 
-        Raises
-        ------
-        InputError
-            With all that is wrong with the machine.
-        """
-        file, result = self._computed()
-        with result.in_its_units():
-            return packed(PageCase(machine_page(result, tab, _result_of(beside)), _tables(file), _case_words()))
+    Raises
+    ------
+    InputError
+        With all that is wrong with the machine.
+    """
+    file, result = _computed(case)
+    with result.in_its_units():
+        return packed(PageCase(machine_page(result, tab, _result_of(beside)), _tables(file), _case_words()))
 
-    def packed_tab(self, tab: str, beside: "Case | None" = None) -> Packed:
-        """Compute what stands on a tab, the first where there is none of the name, and pack it; as `packed_page`."""
-        _file, result = self._computed()
-        names = tab_names(result)
-        with result.in_its_units():
-            return packed(tab_content(result, tab if tab in names else names[0], _result_of(beside)))
 
-    def packed_trust(self) -> Packed:
-        """Compute what is to be minded, and all checks, and pack them; as `packed_page`."""
-        _file, result = self._computed()
-        with result.in_its_units():
-            return packed(page_trust(result))
+def packed_tab(case: Case, tab: str, beside: Case | None = None) -> Packed:
+    """Compute what stands on a tab, and pack it; as `packed_page`."""
+    _file, result = _computed(case)
+    names = tab_names(result)
+    with result.in_its_units():
+        return packed(tab_content(result, tab if tab in names else names[0], _result_of(beside)))
 
-    @property
-    def text(self) -> str:
-        """The machine file with the numbers in place, its comments where they were; what is wrong is an InputError."""
-        return read_machine(self.source, self.settings, partial=True).document.text
 
-    @property
-    def result(self) -> Result:
-        """What is computed of it; what is wrong is an InputError."""
-        return self._computed()[1]
+def packed_trust(case: Case) -> Packed:
+    """Compute what is to be minded, and all checks, and pack them; as `packed_page`."""
+    _file, result = _computed(case)
+    with result.in_its_units():
+        return packed(page_trust(result))
 
-    def _computed(self) -> tuple[MachineFile, Result]:
-        """Read and compute; of what a page asks one after the other each part is computed once."""
-        file = Path(self.source)
-        return _kept(self, file.stat().st_mtime_ns if file.exists() else 0)
+
+def file_text(case: Case) -> str:
+    """Give the machine file with the numbers in place, its comments where they were; what is wrong is an InputError."""
+    return _read(case).document.text
 
 
 def _result_of(case: Case | None) -> Result | None:
     """Compute a saved case, if there is one."""
-    return None if case is None else case.result
+    return None if case is None else _computed(case)[1]
 
 
-@lru_cache(_MOST_KEPT)
+def _computed(case: Case) -> tuple[MachineFile, Result]:
+    """Read and compute; of what a page asks one after the other each part is computed once."""
+    file = Path(case.machine) if isinstance(case.machine, str) else None
+    return _kept(case, file.stat().st_mtime_ns if file is not None and file.exists() else 0)
+
+
+@lru_cache(MOST_KEPT)
 def _kept(case: Case, _written: int) -> tuple[MachineFile, Result]:
     """Read and compute; quantities are found when they are asked for."""
-    file = read_machine(case.source, case.settings, partial=True)
+    file = _read(case)
     return file, computed(file, partial=True)
+
+
+def _read(case: Case) -> MachineFile:
+    """Read a machine: of one that was sent its text, which is never taken for the name of anything."""
+    if isinstance(case.machine, str):
+        file = read_machine(case.machine, case.settings, partial=True)
+    else:
+        file = read_text(case.machine.text, dict(case.machine.files), case.settings, partial=True)
+    n_mechanisms = len(file.machine.places)
+    if n_mechanisms > _MOST_MECHANISMS:
+        allowed = _("has {n} mechanisms; a page shows at most {limit}", n=n_mechanisms, limit=_MOST_MECHANISMS)
+        raise InputError([Problem("", None, allowed, _("ask for its answer with `cranktrain run`"))])
+    return file
 
 
 def _case_words() -> CaseWords:

@@ -1,5 +1,7 @@
 """Data as a browser takes it: records as objects that say what they are, arrays in one block of 32-bit numbers."""
 
+import json
+import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from typing import Any, NamedTuple, cast
@@ -22,6 +24,13 @@ class Packed(NamedTuple):
 
     data: object
     numbers: NDArray[np.float32]
+
+    @property
+    def content(self) -> bytes:
+        """JSON behind its length, filled up with spaces to whole numbers, and the numbers."""
+        text = json.dumps(self.data, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
+        text += b" " * (-len(text) % 4)
+        return struct.pack("<I", len(text)) + text + self.numbers.astype("<f4").tobytes()
 
 
 def packed(value: object) -> Packed:

@@ -84,3 +84,11 @@ def test_a_text_is_never_the_name_of_a_file(text, tmp_path, monkeypatch):
     with pytest.raises(ct.InputError) as caught:
         read_text(text, {})
     assert all(problem.position.file == "machine.toml" for problem in caught.value.problems)
+
+
+@pytest.mark.parametrize("text", ["", "# nothing yet\n"])
+def test_settings_make_no_machine_of_an_empty_file(text, tmp_path):
+    path = tmp_path / "empty.toml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ct.InputError, match="no machine in it"):
+        read_machine(path, ["cylinder.bore=81 mm"])

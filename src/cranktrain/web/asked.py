@@ -1,0 +1,40 @@
+"""What a page asks of a machine, and what it is given, as processes hand it on: nothing here computes."""
+
+from typing import Literal, NamedTuple, TypeAlias
+
+Part: TypeAlias = Literal["page", "tab", "trust", "file"]
+"""A machine with one tab open, a tab, what is to be minded, or the text of the machine file."""
+
+MOST_KEPT = 4
+"""Machines of which what was computed is kept for what the same page asks next."""
+
+
+class SentMachine(NamedTuple):
+    """The text of a machine file, and names and texts of the files that it names."""
+
+    text: str
+    files: tuple[tuple[str, str], ...] = ()
+
+
+class Case(NamedTuple):
+    """A machine, and numbers set anew as `PATH=VALUE`; one that was not sent by the name of its file or example."""
+
+    machine: str | SentMachine
+    settings: tuple[str, ...] = ()
+
+
+class PageQuestion(NamedTuple):
+    """Which part of a page is asked for, on the tab of which name, and beside which saved case."""
+
+    case: Case
+    part: Part
+    tab: str = ""
+    beside: Case | None = None
+
+
+class Reply(NamedTuple):
+    """What a browser is sent: the status of HTTP, what sort of content it is, and this."""
+
+    status: int
+    sort: str
+    content: bytes

@@ -1,0 +1,32 @@
+"""From what a page asks to what it is sent: computed, or what is wrong, here and now."""
+
+import traceback
+
+from cranktrain.errors import InputError
+from cranktrain.language import _
+from cranktrain.web.asked import PageQuestion, Reply
+from cranktrain.web.case import file_text, packed_page, packed_tab, packed_trust
+from cranktrain.web.refusals import refusal_of, refused
+
+
+def reply_to(question: PageQuestion) -> Reply:
+    """Give what is asked for, or say what is wrong with the machine; whatever comes up, it is a reply."""
+    try:
+        if question.part == "file":
+            return Reply(200, "text/plain; charset=utf-8", file_text(question.case).encode())
+        return Reply(200, "application/octet-stream", _content(question))
+    except InputError as error:
+        return refused(error.problems)
+    except (MemoryError, RecursionError):
+        return refusal_of(422, _("asks for more than can be computed here"))
+    except Exception:  # a fault of ours ends this question alone, and is seen where the service was started
+        traceback.print_exc()
+        return refusal_of(500, _("could not be computed: a fault of cranktrain, which the service's terminal shows"))
+
+
+def _content(question: PageQuestion) -> bytes:
+    """Compute a part of a page as its bytes."""
+    case, part, tab, beside = question
+    if part == "page":
+        return packed_page(case, tab, beside).content
+    return (packed_tab(case, tab, beside) if part == "tab" else packed_trust(case)).content

@@ -1,0 +1,120 @@
+"""What other programs send to a service, with its limits."""
+
+from collections.abc import Collection, Iterator
+from typing import Annotated
+
+from pydantic import BaseModel, Field
+
+from cranktrain.errors import InputError, Problem, refuse
+from cranktrain.language import _
+from cranktrain.paths import parts_of
+from cranktrain.web.asked import Case, PageQuestion, Part, SentMachine
+
+_MOST_SETTINGS, _LONGEST, _MOST_FILES = 100, 500, 20
+_LONGEST_TEXT = 64_000
+"""Characters of a machine file."""
+
+_FILE_KEY = "file"
+"""Of tables of a machine file that name another."""
+
+_Name = Annotated[str, Field(max_length=_LONGEST)]
+
+
+class CaseAsked(BaseModel):
+    """A machine, and numbers set anew."""
+
+    machine: Annotated[
+        str,
+        Field(
+            max_length=_LONGEST,
+            description="Name of an example; empty for the served file, or beside `text`.",
+            examples=["3d12"],
+        ),
+    ] = ""
+    text: Annotated[
+        str | None,
+        Field(max_length=_LONGEST_TEXT, description="Text of a machine file, TOML, in place of a name."),
+    ] = None
+    files: Annotated[
+        dict[_Name, str],
+        Field(
+            max_length=_MOST_FILES,
+            description="Texts of the files that `text` names, by these names; nothing is read from a disk.",
+        ),
+    ] = {}
+    settings: Annotated[
+        list[_Name],
+        Field(
+            max_length=_MOST_SETTINGS,
+            description="PATH=VALUE, of which the value is a number with its unit, or a word.",
+            examples=[["shaft.main.speed=1800 rpm"]],
+        ),
+    ] = []
+
+
+class PageAsked(CaseAsked):
+    """A machine, and which tab is open."""
+
+    tab: Annotated[_Name, Field(description="By its name; the first where there is none of it.")] = ""
+    beside: Annotated[CaseAsked | None, Field(description="A saved case that stands beside it.")] = None
+
+
+class ExampleNamed(BaseModel):
+    """An example by its name."""
+
+    name: str
+
+
+def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: str | None) -> PageQuestion:
+    """Find what is meant: what is sent never becomes the name of a file.
+
+    Parameters
+    ----------
+    asked : CaseAsked
+    part : str
+    known : collection of str
+        Names of examples.
+    served : str or None
+        The machine file that is meant where none is named.
+
+    Returns
+    -------
+    PageQuestion
+
+    Raises
+    ------
+    InputError
+        Where no machine is meant that may be, or a setting would have a file read.
+    """
+    case = _case_of(asked, known, served)
+    if not isinstance(asked, PageAsked):
+        return PageQuestion(case, part)
+    return PageQuestion(case, part, asked.tab, asked.beside and _case_of(asked.beside, known, served))
+
+
+def _case_of(asked: CaseAsked, known: Collection[str], served: str | None) -> Case:
+    """Find a machine; as `question_of`."""
+    refuse((*_naming_files(asked.settings), *_beside_each_other(asked)))
+    if asked.text is not None:
+        return Case(SentMachine(asked.text, tuple(sorted(asked.files.items()))), tuple(asked.settings))
+    source = asked.machine if asked.machine in known else served if not asked.machine else None
+    if source is None:
+        allowed = _("must be one of the examples: {names}", names=", ".join(sorted(known)))
+        raise InputError([Problem("machine", asked.machine, allowed)])
+    return Case(source, tuple(asked.settings))
+
+
+def _beside_each_other(asked: CaseAsked) -> Iterator[Problem]:
+    """Refuse two machines, and files of a machine that was not sent."""
+    if asked.text is not None and asked.machine:
+        yield Problem("machine", asked.machine, _("must not stand beside the text of another"))
+    if asked.text is None and asked.files:
+        yield Problem("files", None, _("are for a machine that is sent as text"))
+
+
+def _naming_files(settings: Collection[str]) -> Iterator[Problem]:
+    """Refuse what would have a file read: a key that names one, or a table in which such a key may stand."""
+    for setting in settings:
+        path, _equals, value = setting.partition("=")
+        if _FILE_KEY in parts_of(path.strip()) or "{" in value:
+            yield Problem(path, None, _("may be a number or a word here, and no file or table"))
