@@ -11,6 +11,7 @@ import numpy as np
 
 from cranktrain.language import Said
 from cranktrain.web.case import PageCase
+from cranktrain.web.gallery import Gallery
 
 HEAD = """// What a page is given. Written by write_types.py out of the records of cranktrain.web; do not edit.
 
@@ -70,7 +71,8 @@ class Types:
 def types_text() -> str:
     """Give all of them."""
     types = Types()
-    types.interface(PageCase)
+    for kind in (PageCase, Gallery):
+        types.interface(kind)
     return "\n".join([HEAD, *types.written.values()])
 
 

@@ -1,5 +1,7 @@
 // What of a page stands in its address, so that a link gives the same screen: its tab and angle, the machine and numbers.
 
+import { sentIn, type Sent } from "./sent.ts";
+
 /** Where a page stands. */
 export interface Place {
   /** Which tab, by its name; none is the first. */
@@ -12,6 +14,8 @@ export interface Place {
 export interface Asked {
   readonly machine: string;
   readonly settings: ReadonlyMap<string, string>;
+  /** The machine as text, in place of its name. */
+  readonly sent?: Sent;
   /** A saved case that stands beside it. */
   readonly beside?: Asked;
 }
@@ -20,7 +24,8 @@ const TAB = "tab";
 const ANGLE = "phi";
 const MACHINE = "machine";
 const BESIDE = "beside";
-const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, MACHINE, BESIDE]);
+const SENT = "file";
+const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, MACHINE, BESIDE, SENT]);
 
 const parts = (hash: string): URLSearchParams => new URLSearchParams(hash.replace(/^#/, ""));
 
@@ -32,11 +37,12 @@ export function placeIn(hash: string): Place {
 }
 
 /** Read a machine and its numbers. */
-export function askedIn(hash: string): Asked {
+export async function askedIn(hash: string): Promise<Asked> {
   const found = parts(hash);
   const settings = new Map([...found].filter(([name]) => !PARTS.has(name)));
   const beside = found.get(BESIDE);
-  return { machine: found.get(MACHINE) ?? "", settings, ...(beside === null ? {} : { beside: askedIn(beside) }) };
+  const sent = await sentIn(found.get(SENT) ?? "");
+  return { machine: found.get(MACHINE) ?? "", settings, ...(sent && { sent }), ...(beside !== null && { beside: await askedIn(beside) }) };
 }
 
 /** Write a place into the part of an address behind #, all else as it was. */
@@ -52,8 +58,9 @@ export function withAsked(hash: string, asked: Asked): string {
   const found = parts(hash);
   for (const name of [...found.keys()]) if (name !== TAB && name !== ANGLE) found.delete(name);
   set(found, MACHINE, asked.machine);
+  set(found, SENT, asked.sent?.letters ?? "");
   for (const [path, text] of asked.settings) found.set(path, text);
-  if (asked.beside) found.set(BESIDE, withAsked("", { machine: asked.beside.machine, settings: asked.beside.settings }).slice(1));
+  if (asked.beside) found.set(BESIDE, withAsked("", asked.beside).slice(1));
   return `#${found.toString()}`;
 }
 
@@ -62,20 +69,23 @@ function set(found: URLSearchParams, name: string, value: string): void {
   else found.delete(name);
 }
 
+/** Under which name the browser keeps the address that was shown last. */
+const LAST = "cranktrain-last";
+
 /** How long the address waits for what is shown: browsers take some milliseconds to write one. [ms] */
 const BEHIND = 60;
 
 /** What stands in the address of the page, or will soon. */
 export class Address {
   private waiting: ReturnType<typeof setTimeout> | null = null;
-  private hash = location.hash;
+  private hash: string;
+
+  constructor(hash: string) {
+    this.hash = hash;
+  }
 
   get place(): Place {
     return placeIn(this.hash);
-  }
-
-  get asked(): Asked {
-    return askedIn(this.hash);
   }
 
   stand(place: Place): void {
@@ -84,6 +94,7 @@ export class Address {
 
   ask(asked: Asked): void {
     this.write(withAsked(this.hash, asked));
+    kept(this.hash);
   }
 
   /** Write it, without a step back; a page in the frame of a notebook has no address. */
@@ -94,5 +105,22 @@ export class Address {
       this.waiting = null;
       history.replaceState(null, "", this.hash);
     }, BEHIND);
+  }
+}
+
+/** What was shown last in this browser; nothing where it keeps nothing. */
+export function last(): string {
+  try {
+    return localStorage.getItem(LAST) ?? "";
+  } catch {
+    return "";
+  }
+}
+
+function kept(hash: string): void {
+  try {
+    localStorage.setItem(LAST, hash);
+  } catch {
+    // It is kept nowhere then.
   }
 }

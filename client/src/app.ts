@@ -4,87 +4,66 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import "./paper.css";
 
-import { Address, type Asked } from "./address.ts";
+import { Address, type Asked, askedIn, last } from "./address.ts";
+import { ask, opened, Refused } from "./asking.ts";
+import { Bar } from "./bar.ts";
 import { Colours } from "./colours.ts";
-import type { CaseWords, PageCase, PageTrust, TabContent } from "./data.ts";
+import type { Gallery, PageCase, PageOffer, PageTrust, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { Form, type Problem } from "./form.ts";
-import { revived } from "./numbers.ts";
+import { GalleryDialog } from "./gallery.ts";
 import { MachinePage, type Source } from "./page.ts";
+import { sentOf } from "./sent.ts";
+import { Steps } from "./steps.ts";
+import { said } from "./words.ts";
 
 /** From when on it is shown that something is computed. [ms] */
 const PATIENCE = 150;
 
-/** Asked for, one after the other, and which of them is shown: what is behind it may be done again. */
-class Steps {
-  private readonly all: Asked[];
-  private place = 0;
+/** What is shown where nobody asks for anything. */
+const FIRST = "3d12";
 
-  constructor(first: Asked) {
-    this.all = [first];
-  }
-
-  get now(): Asked {
-    return this.all[this.place] as Asked;
-  }
-
-  /** Whether there is a step back, or on. */
-  has(by: number): boolean {
-    return this.all[this.place + by] !== undefined;
-  }
-
-  go(by: number): void {
-    if (this.has(by)) this.place += by;
-  }
-
-  add(asked: Asked): void {
-    this.all.splice(this.place + 1, Infinity, asked);
-    this.place += 1;
-  }
-}
+/** How the name of a machine file ends. */
+const MACHINE_FILE = ".toml";
 
 class App {
   private readonly steps: Steps;
   private readonly side = html("aside", { class: "side" });
+  private readonly offered = html("div", { class: "offers" });
   private readonly view = html("div", { class: "view" });
-  private readonly machines = html("select", {});
-  private readonly undo = html("button", { type: "button" });
-  private readonly redo = html("button", { type: "button" });
-  private readonly save = html("button", { type: "button" });
-  private readonly beside = html("select", {});
-  private readonly besideLabel = html("label", {});
-  private readonly keep = html("button", { type: "button" });
-  /** Cases to compare with, by what they are called. */
-  private readonly cases = new Map<string, Asked>();
-  private readonly label = html("label", {});
-  private form: Form | null = null;
-  private shownMachine = "";
-  private page: MachinePage | null = null;
-  private readonly address = new Address();
+  private readonly files = html("input", { type: "file", multiple: "", accept: ".toml,.csv,.txt,.dat", hidden: "", tabindex: -1 });
+  private readonly bar: Bar;
+  private readonly address: Address;
   private readonly colours = new Colours();
+  private form: Form | null = null;
+  private shown: Asked | null = null;
+  private page: MachinePage | null = null;
+  private gallery: GalleryDialog | null = null;
   private asking = new AbortController();
 
-  constructor(into: HTMLElement, file: string, examples: readonly string[]) {
-    const { asked } = this.address;
-    const first = asked.machine || file ? asked : { machine: "3d12", settings: asked.settings };
-    this.steps = new Steps(first);
-    this.machines.append(...(file ? [html("option", { value: "" }, file)] : []), ...examples.map((name) => html("option", { value: name }, name)));
-    this.machines.addEventListener("change", () => {
-      this.ask({ machine: this.machines.value, settings: new Map() });
+  constructor(into: HTMLElement, file: string, examples: readonly string[], address: Address, asked: Asked) {
+    this.address = address;
+    this.steps = new Steps(asked.machine || asked.sent || file ? asked : { machine: FIRST, settings: asked.settings });
+    this.bar = new Bar(file, examples, {
+      machine: (name) => { this.ask({ machine: name, settings: new Map() }); },
+      gallery: () => { void this.choose(); },
+      open: () => { this.files.click(); },
+      walk: (by) => { this.walk(by); },
+      save: () => { void this.save(); },
+      beside: (saved) => { this.compare(saved); },
+    }, this.colours.element);
+    this.files.addEventListener("change", () => { void this.open([...(this.files.files ?? [])]); });
+    document.addEventListener("dragover", (event) => { event.preventDefault(); });
+    document.addEventListener("drop", (event) => {
+      event.preventDefault();
+      void this.open([...(event.dataTransfer?.files ?? [])]);
     });
-    this.beside.addEventListener("change", () => { this.compare(this.cases.get(this.beside.value)); });
-    this.keep.addEventListener("click", () => { this.compare(this.steps.now); });
-    this.undo.addEventListener("click", () => { this.walk(-1); });
-    this.redo.addEventListener("click", () => { this.walk(1); });
-    this.save.addEventListener("click", () => { void this.download(); });
     document.addEventListener("keydown", (event) => {
       if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
       event.preventDefault();
       this.walk(event.shiftKey ? 1 : -1);
     });
-    this.label.append(this.machines);
-    const bar = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.label, this.undo, this.redo, this.save, this.besideLabel, this.keep, this.colours.element);
-    into.replaceChildren(bar, html("div", { class: "app" }, this.side, this.view));
+    into.replaceChildren(this.bar.element, html("div", { class: "app" }, this.side, this.view), this.files);
   }
 
   private walk(by: number): void {
@@ -100,14 +79,50 @@ class App {
   }
 
   /** Put a saved case beside what is shown, or nothing. */
-  private compare(saved: Asked | undefined): void {
-    const { machine, settings } = this.steps.now;
-    this.ask({ machine, settings, ...(saved ? { beside: { machine: saved.machine, settings: saved.settings } } : {}) });
+  private compare(saved: Asked | "this" | null): void {
+    const { beside: _before, ...now } = this.steps.now;
+    const beside = saved === "this" ? now : saved;
+    this.ask(beside ? { ...now, beside } : now);
   }
 
   private ask(asked: Asked): void {
     this.steps.add(asked);
     void this.show();
+  }
+
+  /** Show machines to begin with. */
+  private async choose(): Promise<void> {
+    if (!this.gallery) {
+      const found = (await opened(await fetch("api/gallery"))) as Gallery;
+      this.gallery = new GalleryDialog(found, {
+        example: ({ name }) => { this.ask({ machine: name, settings: new Map() }); },
+        kind: ({ name, text }) => { void this.take(name, text); },
+        file: () => { this.files.click(); },
+      });
+      document.body.append(this.gallery.element);
+    }
+    this.gallery.element.showModal();
+  }
+
+  /** Take a machine as text. */
+  private async take(name: string, text: string, files: Readonly<Record<string, string>> = {}): Promise<void> {
+    this.ask({ machine: "", sent: await sentOf(name, text, files), settings: new Map() });
+  }
+
+  /** Open a machine file with the files that it names; of these alone for the machine that is shown. */
+  private async open(files: readonly File[]): Promise<void> {
+    this.files.value = "";
+    if (!files.length) return;
+    const texts = await Promise.all(files.map(async (file) => [file.name, await file.text()] as const));
+    const machine = texts.find(([name]) => name.endsWith(MACHINE_FILE));
+    const others = Object.fromEntries(texts.filter((one) => one !== machine));
+    const { sent } = this.steps.now;
+    if (machine) await this.take(...machine, others);
+    else if (sent) await this.take(sent.name, sent.text, { ...sent.files, ...others });
+    else {
+      const text = await this.fileText();
+      if (text !== null) await this.take(this.steps.now.machine, text, others);
+    }
   }
 
   /** Ask for what is to be shown, and show it; of several that are asked for the last alone. */
@@ -118,13 +133,10 @@ class App {
     const asked = this.steps.now;
     const late = setTimeout(() => { this.view.classList.add("computing"); }, PATIENCE);
     try {
-      const answer = await ask("api/case", asked, signal, this.address.place.tab);
-      const found = answer.ok ? opened(await answer.arrayBuffer()) : ((await answer.json()) as Problem[]);
-      if (signal.aborted) return;
-      if (Array.isArray(found)) this.blame(found as Problem[]);
-      else this.fill(found as PageCase, asked);
+      const found = (await opened(await ask("api/case", asked, { tab: this.address.place.tab }, signal))) as PageCase;
+      if (!signal.aborted) this.fill(found, asked);
     } catch (error) {
-      if (!signal.aborted) this.blame([{ path: "", given: null, allowed: String(error), repair: null }]);
+      if (!signal.aborted) this.fail(error);
     } finally {
       clearTimeout(late);
       if (!signal.aborted) this.view.classList.remove("computing");
@@ -134,93 +146,95 @@ class App {
   private fill(found: PageCase, asked: Asked): void {
     const { words } = found;
     this.address.ask(asked);
-    this.machines.value = asked.machine;
-    this.label.replaceChildren(`${words.machine} `, this.machines);
-    for (const [button, word, by] of [[this.undo, words.undo, -1], [this.redo, words.redo, 1]] as const) {
-      button.textContent = word;
-      button.disabled = !this.steps.has(by);
-    }
-    this.save.textContent = words.save;
-    this.fillCases(asked, words);
-    if (!this.form?.fits(found.tables) || this.shownMachine !== asked.machine) {
+    this.bar.take(asked, words, (by) => this.steps.has(by));
+    if (!this.form?.fits(found.tables) || this.shown?.machine !== asked.machine || this.shown.sent !== asked.sent) {
       this.form = new Form(words.numbers, found.tables, (path, text) => { this.set(path, text); }, words.as_in_file);
-      this.side.replaceChildren(this.form.element);
+      this.offered.replaceChildren();
+      this.side.replaceChildren(this.form.element, this.offered);
     }
-    this.shownMachine = asked.machine;
+    this.shown = asked;
     this.form.fill(found.tables, asked.settings);
     this.form.blame([]);
     const { signal } = this.asking;
     const source: Source = {
       tab: async (name) => (await this.more("api/tab", asked, signal, name)) as TabContent,
-      trust: async () => (await this.more("api/trust", asked, signal)) as PageTrust,
+      trust: async () => {
+        const trust = (await this.more("api/trust", asked, signal)) as PageTrust;
+        this.offer(trust.offers, words.more);
+        return trust;
+      },
     };
     if (this.page) this.page.take(found.machine, source);
     else this.page = new MachinePage(found.machine, this.view, this.address, this.colours, source);
   }
 
-  /** Offer what may stand beside: the file as it is, what was kept, and what stands there. */
-  private fillCases(asked: Asked, words: CaseWords): void {
-    const name = (one: Asked): string =>
-      [...(one.machine === asked.machine ? [] : [one.machine]), [...one.settings].map((setting) => setting.join(" = ")).join(", ") || words.as_in_file].join(": ");
-    const own = { machine: asked.machine, settings: new Map<string, string>() };
-    for (const one of [own, ...(asked.beside ? [asked.beside] : [])]) this.cases.set(name(one), one);
-    this.beside.replaceChildren(html("option", { value: "" }, "–"), ...[...this.cases].map(([called]) => html("option", { value: called }, called)));
-    this.beside.value = asked.beside ? name(asked.beside) : "";
-    this.besideLabel.replaceChildren(`${words.compare} `, this.beside);
-    this.keep.textContent = words.keep;
+  /** Ask for more of what is shown; of what is shown no longer nothing comes. */
+  private async more(where: string, asked: Asked, signal: AbortSignal, tab = ""): Promise<unknown> {
+    try {
+      return await opened(await ask(where, asked, { tab }, signal));
+    } catch (error) {
+      if (!signal.aborted) this.fail(error);
+      return new Promise(() => undefined);
+    }
   }
 
-  /** Ask for more of what is shown; of what is shown no longer nothing comes. */
-  private async more(where: string, asked: Asked, signal: AbortSignal, tab?: string): Promise<unknown> {
+  /** Offer tables that the file has not. */
+  private offer(offers: readonly PageOffer[], title: string): void {
+    const chips = offers.map(({ key, words }) => {
+      const chip = html("button", { type: "button", class: "chip" }, html("b", {}, `[${key}]`), " ", said(words));
+      chip.addEventListener("click", () => { void this.add(key); });
+      return chip;
+    });
+    this.offered.replaceChildren(...(chips.length ? [html("h2", {}, title), ...chips] : []));
+  }
+
+  /** Add a table to the file. */
+  private async add(key: string): Promise<void> {
+    const { machine, sent } = this.steps.now;
+    const text = await this.fileText(key);
+    if (text !== null) await this.take(sent?.name ?? machine, text, sent?.files);
+  }
+
+  /** The text of the machine file with all numbers in place, and with another table; nothing where it cannot be. */
+  private async fileText(key = ""): Promise<string | null> {
     try {
-      const answer = await ask(where, asked, signal, tab);
-      if (answer.ok) return opened(await answer.arrayBuffer());
-      this.blame((await answer.json()) as Problem[]);
+      return await (await ask("api/file", this.steps.now, { key })).text();
     } catch (error) {
-      if (!signal.aborted) this.blame([{ path: "", given: null, allowed: String(error), repair: null }]);
+      this.fail(error);
+      return null;
     }
-    return new Promise(() => undefined);
+  }
+
+  private fail(error: unknown): void {
+    this.blame(error instanceof Refused ? error.problems : [{ path: "", given: null, allowed: String(error), repair: null }]);
   }
 
   private blame(problems: readonly Problem[]): void {
     if (this.form) this.form.blame(problems);
     else this.view.replaceChildren(...problems.map((one) => html("p", { class: "problems" }, `✗ ${one.path} ${one.allowed}`)));
-    this.undo.disabled = !this.steps.has(-1);
+    this.bar.steps((by) => this.steps.has(by));
   }
 
-  private async download(): Promise<void> {
-    const asked = this.steps.now;
-    const answer = await ask("api/file", asked);
-    if (!answer.ok) {
-      this.blame((await answer.json()) as Problem[]);
-      return;
-    }
-    const link = html("a", { href: URL.createObjectURL(await answer.blob()), download: `${asked.machine || "machine"}.toml` });
+  private async save(): Promise<void> {
+    const { machine, sent } = this.steps.now;
+    const text = await this.fileText();
+    if (text === null) return;
+    const name = sent?.name ?? (machine || "machine");
+    const link = html("a", { href: URL.createObjectURL(new Blob([text])), download: name.endsWith(MACHINE_FILE) ? name : name + MACHINE_FILE });
     link.click();
     URL.revokeObjectURL(link.href);
   }
 }
 
-async function ask(where: string, asked: Asked, signal: AbortSignal | null = null, tab?: string): Promise<Response> {
-  const sent = ({ machine, settings }: Asked): object => ({ machine, settings: [...settings].map(([path, text]) => `${path}=${text}`) });
-  const body = JSON.stringify({ ...sent(asked), tab, ...(asked.beside ? { beside: sent(asked.beside) } : {}) });
-  return fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal });
-}
-
-/** Read data: a length, so much JSON, and numbers. */
-function opened(answer: ArrayBuffer): unknown {
-  const length = new DataView(answer).getUint32(0, true);
-  const data: unknown = JSON.parse(new TextDecoder().decode(new Uint8Array(answer, 4, length)));
-  return revived(data, new Float32Array(answer, 4 + length));
-}
-
 async function start(): Promise<void> {
-  const into = document.getElementById("page");
-  if (!into) return;
   // The browser keeps the token: it need not stand where others look on.
   if (location.search) history.replaceState(null, "", location.pathname + location.hash);
+  const into = document.getElementById("page");
+  if (!into) return;
   const examples = (await (await fetch("api/examples")).json()) as { name: string }[];
-  await new App(into, into.dataset["file"] ?? "", examples.map((one) => one.name)).show();
+  const file = into.dataset["file"] ?? "";
+  const hash = location.hash || (file ? "" : last());
+  await new App(into, file, examples.map((one) => one.name), new Address(hash), await askedIn(hash)).show();
 }
 
 void start();

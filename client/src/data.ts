@@ -251,6 +251,7 @@ export interface PageTrust {
   readonly is: "PageTrust";
   readonly to_mind: readonly (string)[];
   readonly checks: readonly (PageCheck)[];
+  readonly offers: readonly (PageOffer)[];
 }
 
 export interface PageCheck {
@@ -258,6 +259,12 @@ export interface PageCheck {
   readonly sentence: string;
   readonly verdict: string;
   readonly holds: boolean | null;
+}
+
+export interface PageOffer {
+  readonly is: "PageOffer";
+  readonly key: string;
+  readonly words: string;
 }
 
 export interface MachineDrawing {
@@ -415,4 +422,35 @@ export interface CaseWords {
   readonly as_in_file: string;
   readonly compare: string;
   readonly keep: string;
+  readonly gallery: string;
+  readonly open: string;
+  readonly more: string;
+  readonly broken_link: string;
+}
+
+export interface Gallery {
+  readonly is: "Gallery";
+  readonly examples: readonly (GalleryItem)[];
+  readonly kinds: readonly (GalleryItem)[];
+  readonly words: GalleryWords;
+}
+
+export interface GalleryItem {
+  readonly is: "GalleryItem";
+  readonly name: string;
+  readonly title: string;
+  readonly kind: string;
+  readonly made_of: string;
+  readonly text: string;
+  readonly drawing: MachineDrawing;
+}
+
+export interface GalleryWords {
+  readonly is: "GalleryWords";
+  readonly examples: string;
+  readonly kinds: string;
+  readonly search: string;
+  readonly open: string;
+  readonly close: string;
+  readonly none: string;
 }

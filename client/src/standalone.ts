@@ -22,7 +22,7 @@ async function start(): Promise<void> {
   const into = document.getElementById("page");
   if (!into) return;
   const colours = new Colours();
-  new MachinePage(page, into, new Address(), colours).head.append(colours.element);
+  new MachinePage(page, into, new Address(location.hash), colours).head.append(colours.element);
 }
 
 void start();

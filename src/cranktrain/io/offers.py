@@ -8,12 +8,14 @@ from functools import cache
 from cranktrain.errors import InputError
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.io.syntax import parsed
+from cranktrain.language import Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms import KINDS
 from cranktrain.quantities.dimensions import Dimension, is_unit
 from cranktrain.quantities.number import measured
 from cranktrain.record import record
+from cranktrain.saying.comments import with_said_comments
 
 _POWERS: Mapping[Dimension, int] = {
     Dimension.LENGTH: 1,
@@ -52,14 +54,14 @@ class OfferedTable:
     ----------
     key : str
         Its name in the file.
-    words : str
-        What is there with it.
+    words : Words
+        What is there with it, or what stands in it.
     text : str
         What stands in the file then.
     """
 
     key: str
-    words: str
+    words: Words
     text: str
 
 
@@ -80,7 +82,8 @@ def offered_tables(file: MachineFile) -> tuple[OfferedTable, ...]:
     first = file.machine.places[0]
     ratio = _radius(first) / _radius_of_kind(first.kind.name)
     lacking = (table for table in _tables(first.kind.name) if table.key not in file.document.data)
-    return tuple(table for one in lacking if _is_right(file, table := replace(one, text=_sized(one.text, ratio))))
+    sized = (replace(one, words=_(str(one.words)), text=_sized(one.text, ratio)) for one in lacking)
+    return tuple(table for table in sized if _is_right(file, table))
 
 
 def with_table(file: MachineFile, key: str) -> str:
@@ -92,7 +95,7 @@ def with_table(file: MachineFile, key: str) -> str:
         If none of that name is.
     """
     texts = {table.key: table.text for table in offered_tables(file)}
-    return f"{file.document.text.rstrip()}\n\n{texts[key]}\n"
+    return f"{file.document.text.rstrip()}\n\n{with_said_comments(texts[key])}\n"
 
 
 @cache
@@ -103,7 +106,7 @@ def _tables(kind: str) -> tuple[OfferedTable, ...]:
     found: dict[str, OfferedTable] = {}
     for section in re.split(r"\n\s*\n", text):
         lines = [line.removeprefix("# ").rstrip() for line in section.strip().splitlines()]
-        head = re.match(r"\[+([\w]+)[^#]*(?:# with (?:it|them): (.*))?", lines[0])
+        head = re.match(r"\[+([\w]+)[^#]*(?:# (.*))?", lines[0])
         if head is None or not section.lstrip().startswith("# ["):
             continue
         key, words = head.groups()

@@ -2,8 +2,8 @@
 
 from typing import Literal, NamedTuple, TypeAlias
 
-Part: TypeAlias = Literal["page", "tab", "trust", "file"]
-"""A machine with one tab open, a tab, what is to be minded, or the text of the machine file."""
+Part: TypeAlias = Literal["page", "tab", "trust", "file", "gallery"]
+"""A machine with one tab open, a tab, what is to be minded, the text of the machine file, or machines to begin with."""
 
 MOST_KEPT = 4
 """Machines of which what was computed is kept for what the same page asks next."""
@@ -24,12 +24,16 @@ class Case(NamedTuple):
 
 
 class PageQuestion(NamedTuple):
-    """Which part of a page is asked for, on the tab of which name, and beside which saved case."""
+    """Which part of a page is asked for, of which machine if of one, on the tab of which name, beside which saved case.
 
-    case: Case
+    key: of a table that is to stand in the machine file, too.
+    """
+
+    case: Case | None
     part: Part
     tab: str = ""
     beside: Case | None = None
+    key: str = ""
 
 
 class Reply(NamedTuple):

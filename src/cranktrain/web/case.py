@@ -6,6 +6,7 @@ from pathlib import Path
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of, read_machine, read_text
+from cranktrain.io.offers import offered_tables, with_table
 from cranktrain.language import Words, _
 from cranktrain.one_line import one_line
 from cranktrain.paths import parts_of
@@ -62,6 +63,10 @@ class CaseWords:
     as_in_file: Words
     compare: Words
     keep: Words
+    gallery: Words
+    open: Words
+    more: Words
+    broken_link: Words
 
 
 @record
@@ -115,14 +120,32 @@ def packed_tab(case: Case, tab: str, beside: Case | None = None) -> Packed:
 
 def packed_trust(case: Case) -> Packed:
     """Compute what is to be minded, and all checks, and pack them; as `packed_page`."""
-    _file, result = _computed(case)
+    file, result = _computed(case)
     with result.in_its_units():
-        return packed(page_trust(result))
+        return packed(page_trust(result, offered_tables(file)))
 
 
-def file_text(case: Case) -> str:
-    """Give the machine file with the numbers in place, its comments where they were; what is wrong is an InputError."""
-    return _read(case).document.text
+def file_text(case: Case, key: str = "") -> str:
+    """Give the machine file with the numbers in place, its comments where they were.
+
+    Parameters
+    ----------
+    case : Case
+    key : str
+        Of a table that is to stand in it, too, of those that are offered to the machine.
+
+    Raises
+    ------
+    InputError
+        With all that is wrong with the machine; for a table that is not offered.
+    """
+    file = _read(case)
+    if not key:
+        return file.document.text
+    known = [table.key for table in offered_tables(file)]
+    if key not in known:
+        raise InputError([Problem("key", key, _("must be one of: {names}", names=", ".join(known)))])
+    return with_table(file, key)
 
 
 def _result_of(case: Case | None) -> Result | None:
@@ -166,7 +189,11 @@ def _case_words() -> CaseWords:
         save=_("Save the machine file"),
         as_in_file=_("As in the file"),
         compare=_("Compare with"),
-        keep=_("Compare with this from here on"),
+        keep=_("Compare with this"),
+        gallery=_("All machines"),
+        open=_("Open a file"),
+        more=_("Add to the file"),
+        broken_link=_("The address has a machine that cannot be read"),
     )
 
 

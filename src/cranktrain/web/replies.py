@@ -6,14 +6,16 @@ from cranktrain.errors import InputError
 from cranktrain.language import _
 from cranktrain.web.asked import PageQuestion, Reply
 from cranktrain.web.case import file_text, packed_page, packed_tab, packed_trust
+from cranktrain.web.gallery import gallery
+from cranktrain.web.packed import packed
 from cranktrain.web.refusals import refusal_of, refused
 
 
 def reply_to(question: PageQuestion) -> Reply:
     """Give what is asked for, or say what is wrong with the machine; whatever comes up, it is a reply."""
     try:
-        if question.part == "file":
-            return Reply(200, "text/plain; charset=utf-8", file_text(question.case).encode())
+        if question.part == "file" and question.case is not None:
+            return Reply(200, "text/plain; charset=utf-8", file_text(question.case, question.key).encode())
         return Reply(200, "application/octet-stream", _content(question))
     except InputError as error:
         return refused(error.problems)
@@ -26,7 +28,9 @@ def reply_to(question: PageQuestion) -> Reply:
 
 def _content(question: PageQuestion) -> bytes:
     """Compute a part of a page as its bytes."""
-    case, part, tab, beside = question
+    case, part, tab, beside, _key = question
+    if case is None:
+        return packed(gallery()).content
     if part == "page":
         return packed_page(case, tab, beside).content
     return (packed_tab(case, tab, beside) if part == "tab" else packed_trust(case)).content

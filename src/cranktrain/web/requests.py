@@ -59,6 +59,14 @@ class PageAsked(CaseAsked):
     beside: Annotated[CaseAsked | None, Field(description="A saved case that stands beside it.")] = None
 
 
+class FileAsked(CaseAsked):
+    """A machine file, and whether another table is to stand in it."""
+
+    key: Annotated[
+        _Name, Field(description="Of one of the tables that are offered to the machine; none unless given.")
+    ] = ""
+
+
 class ExampleNamed(BaseModel):
     """An example by its name."""
 
@@ -87,6 +95,8 @@ def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: st
         Where no machine is meant that may be, or a setting would have a file read.
     """
     case = _case_of(asked, known, served)
+    if isinstance(asked, FileAsked):
+        return PageQuestion(case, part, key=asked.key)
     if not isinstance(asked, PageAsked):
         return PageQuestion(case, part)
     return PageQuestion(case, part, asked.tab, asked.beside and _case_of(asked.beside, known, served))

@@ -15,10 +15,10 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.io.examples import example_names
 from cranktrain.language import _
 from cranktrain.version import VERSION
-from cranktrain.web.asked import Part, Reply
+from cranktrain.web.asked import PageQuestion, Part, Reply
 from cranktrain.web.guard import Door, Guard, response_of
 from cranktrain.web.refusals import ProblemSaid, refusal_of, refused
-from cranktrain.web.requests import CaseAsked, ExampleNamed, PageAsked, question_of
+from cranktrain.web.requests import CaseAsked, ExampleNamed, FileAsked, PageAsked, question_of
 from cranktrain.web.workers import InThisProcess, Replying
 
 _PAGE = """<!doctype html>
@@ -112,9 +112,14 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
         return await answered(request, asked, "trust")
 
     @app.post("/api/file", response_class=PlainTextResponse, responses=_REFUSED)
-    async def _file(request: Request, asked: CaseAsked) -> Response:
-        """Give the machine file with the numbers in place, its comments where they were."""
+    async def _file(request: Request, asked: FileAsked) -> Response:
+        """Give the machine file with the numbers in place, its comments where they were, and with another table."""
         return await answered(request, asked, "file")
+
+    @app.get("/api/gallery", **_NUMBERS)
+    async def _gallery(request: Request) -> Response:
+        """Give machines to begin with, each with a small drawing."""
+        return response_of(await _while_waited_for(request, crew.reply(PageQuestion(None, "gallery"))))
 
     return app
 

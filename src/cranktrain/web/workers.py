@@ -64,7 +64,7 @@ class _WorkerProcess:
     """A process, and the machines that it has."""
 
     def __init__(self) -> None:
-        self.cases: deque[Case] = deque(maxlen=MOST_KEPT)
+        self.cases: deque[Case | None] = deque(maxlen=MOST_KEPT)
         self._process: asyncio.subprocess.Process | None = None
 
     async def reply(self, question: PageQuestion) -> Reply:
@@ -196,7 +196,7 @@ class Workers:
             with suppress(OSError):
                 await worker.start()
 
-    async def _free_worker(self, case: Case) -> _WorkerProcess:
+    async def _free_worker(self, case: Case | None) -> _WorkerProcess:
         """Find a process that is free, best one that has the machine; wait for one that will be, but not for long."""
         if self._idle:
             worker = next((one for one in self._idle if case in one.cases), self._idle[-1])

@@ -1,0 +1,42 @@
+// Questions to the service, and its answers.
+
+import type { Asked } from "./address.ts";
+import type { Problem } from "./form.ts";
+import { revived } from "./numbers.ts";
+
+/** What the service says is wrong. */
+export class Refused extends Error {
+  readonly problems: readonly Problem[];
+
+  constructor(problems: readonly Problem[]) {
+    super();
+    this.problems = problems;
+  }
+}
+
+/** What is asked beside a machine: on which tab, which table. */
+interface Beside {
+  readonly tab?: string;
+  readonly key?: string;
+}
+
+/** Ask of a machine; what is wrong with it is thrown as `Refused`. */
+export async function ask(where: string, asked: Asked, beside: Beside = {}, signal: AbortSignal | null = null): Promise<Response> {
+  const body = JSON.stringify({ ...caseOf(asked), ...beside, ...(asked.beside ? { beside: caseOf(asked.beside) } : {}) });
+  const answer = await fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal });
+  if (answer.ok) return answer;
+  throw new Refused((await answer.json()) as Problem[]);
+}
+
+function caseOf({ machine, sent, settings }: Asked): object {
+  const own = sent ? { text: sent.text, files: sent.files } : { machine };
+  return { ...own, settings: [...settings].map(([path, text]) => `${path}=${text}`) };
+}
+
+/** Read data: a length, so much JSON, and numbers. */
+export async function opened(answer: Response): Promise<unknown> {
+  const bytes = await answer.arrayBuffer();
+  const length = new DataView(bytes).getUint32(0, true);
+  const data: unknown = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
+  return revived(data, new Float32Array(bytes, 4 + length));
+}

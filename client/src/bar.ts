@@ -1,0 +1,81 @@
+// The bar over a page: which machine, steps back and on, files, and what stands beside.
+
+import type { Asked } from "./address.ts";
+import type { CaseWords } from "./data.ts";
+import { html } from "./elements.ts";
+
+/** What may be done from the bar. */
+export interface Doings {
+  readonly machine: (name: string) => void;
+  readonly gallery: () => void;
+  readonly open: () => void;
+  readonly walk: (by: number) => void;
+  readonly save: () => void;
+  /** Put a saved case beside what is shown, what is shown itself, or nothing. */
+  readonly beside: (saved: Asked | "this" | null) => void;
+}
+
+/** The value of a machine that is known by its text. */
+const SENT = "*";
+
+export class Bar {
+  readonly element: HTMLElement;
+  private readonly machines = html("select", {});
+  private readonly ownMachine = html("option", { value: SENT, hidden: "" });
+  private readonly machinesLabel = html("label", {});
+  private readonly beside = html("select", {});
+  private readonly besideLabel = html("label", {});
+  private readonly buttons: Readonly<Record<"gallery" | "open" | "undo" | "redo" | "save" | "keep", HTMLButtonElement>>;
+  /** Cases to compare with, by what they are called. */
+  private readonly cases = new Map<string, Asked>();
+
+  constructor(file: string, examples: readonly string[], doings: Doings, ...more: readonly HTMLElement[]) {
+    const button = (click: () => void): HTMLButtonElement => {
+      const made = html("button", { type: "button" });
+      made.addEventListener("click", click);
+      return made;
+    };
+    this.buttons = {
+      gallery: button(doings.gallery),
+      open: button(doings.open),
+      undo: button(() => { doings.walk(-1); }),
+      redo: button(() => { doings.walk(1); }),
+      save: button(doings.save),
+      keep: button(() => { doings.beside("this"); }),
+    };
+    this.machines.append(this.ownMachine, ...(file ? [html("option", { value: "" }, file)] : []), ...examples.map((name) => html("option", { value: name }, name)));
+    this.machines.addEventListener("change", () => { doings.machine(this.machines.value); });
+    this.beside.addEventListener("change", () => { doings.beside(this.cases.get(this.beside.value) ?? null); });
+    const { gallery, open, undo, redo, save, keep } = this.buttons;
+    this.element = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.machinesLabel, gallery, open, undo, redo, save, this.besideLabel, keep, ...more);
+  }
+
+  /** Say what is shown, and whether there is a step back and on. */
+  take(asked: Asked, words: CaseWords, has: (by: number) => boolean): void {
+    this.ownMachine.hidden = !asked.sent;
+    this.ownMachine.textContent = asked.sent?.name ?? "";
+    this.machines.value = asked.sent ? SENT : asked.machine;
+    this.machinesLabel.replaceChildren(`${words.machine} `, this.machines);
+    for (const name of ["gallery", "open", "undo", "redo", "save", "keep"] as const) this.buttons[name].textContent = words[name];
+    this.steps(has);
+    this.fillCases(asked, words);
+  }
+
+  /** Say whether there is a step back and on. */
+  steps(has: (by: number) => boolean): void {
+    this.buttons.undo.disabled = !has(-1);
+    this.buttons.redo.disabled = !has(1);
+  }
+
+  /** Offer what may stand beside: the file as it is, what was kept, and what stands there. */
+  private fillCases(asked: Asked, words: CaseWords): void {
+    const own = { machine: asked.machine, ...(asked.sent ? { sent: asked.sent } : {}), settings: new Map<string, string>() };
+    const called = (one: Asked): string => one.sent?.name ?? one.machine;
+    const name = (one: Asked): string =>
+      [...(called(one) === called(asked) ? [] : [called(one)]), [...one.settings].map((setting) => setting.join(" = ")).join(", ") || words.as_in_file].join(": ");
+    for (const one of [own, ...(asked.beside ? [asked.beside] : [])]) this.cases.set(name(one), one);
+    this.beside.replaceChildren(html("option", { value: "" }, "–"), ...[...this.cases.keys()].map((one) => html("option", { value: one }, one)));
+    this.beside.value = asked.beside ? name(asked.beside) : "";
+    this.besideLabel.replaceChildren(`${words.compare} `, this.beside);
+  }
+}
