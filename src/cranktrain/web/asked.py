@@ -36,6 +36,30 @@ class PageQuestion(NamedTuple):
     key: str = ""
 
 
+class SweepQuestion(NamedTuple):
+    """Facts of a machine over values of its file, as `cranktrain sweep --vary PATH=VALUES --wanted FACT` takes them.
+
+    Attributes
+    ----------
+    case : Case
+    vary : tuple of (str, str)
+        Paths, each with its values.
+    wanted : tuple of str
+        Names of facts; the headlines where there are none.
+    """
+
+    case: Case
+    vary: tuple[tuple[str, str], ...]
+    wanted: tuple[str, ...]
+
+
+class HowFar(NamedTuple):
+    """How many designs of a sweep are computed, of how many; 0 of what has not begun."""
+
+    done: int = 0
+    designs: int = 0
+
+
 class Reply(NamedTuple):
     """What a browser is sent: the status of HTTP, what sort of content it is, and this."""
 

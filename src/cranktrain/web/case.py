@@ -139,7 +139,7 @@ def file_text(case: Case, key: str = "") -> str:
     InputError
         With all that is wrong with the machine; for a table that is not offered.
     """
-    file = _read(case)
+    file = machine_file_of(case)
     if not key:
         return file.document.text
     known = [table.key for table in offered_tables(file)]
@@ -162,11 +162,11 @@ def _computed(case: Case) -> tuple[MachineFile, Result]:
 @lru_cache(MOST_KEPT)
 def _kept(case: Case, _written: int) -> tuple[MachineFile, Result]:
     """Read and compute; quantities are found when they are asked for."""
-    file = _read(case)
+    file = machine_file_of(case)
     return file, computed(file, partial=True)
 
 
-def _read(case: Case) -> MachineFile:
+def machine_file_of(case: Case) -> MachineFile:
     """Read a machine: of one that was sent its text, which is never taken for the name of anything."""
     if isinstance(case.machine, str):
         file = read_machine(case.machine, case.settings, partial=True)

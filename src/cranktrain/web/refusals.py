@@ -7,7 +7,7 @@ from typing import Annotated
 from pydantic import BaseModel, Field
 
 from cranktrain.errors import Problem
-from cranktrain.language import Words
+from cranktrain.language import Words, _
 from cranktrain.web.asked import Reply
 
 
@@ -31,6 +31,21 @@ def refused(problems: Iterable[Problem], status: int = 422) -> Reply:
 def refusal_of(status: int, allowed: Words, repair: Words | None = None) -> Reply:
     """Say in a sentence why a request is refused."""
     return refused([Problem("", None, allowed, repair)], status)
+
+
+def too_much_to_do() -> Reply:
+    """Say that others have to be answered first."""
+    return refusal_of(503, _("has too much to do now"), _("ask again"))
+
+
+def given_up(seconds: float) -> Reply:
+    """Say that something took too long."""
+    return refusal_of(503, _("takes longer than {n} s, and was given up", n=f"{seconds:g}"))
+
+
+def process_ended() -> Reply:
+    """Say that the process that was at it is gone."""
+    return refusal_of(503, _("could not be computed: its process ended"), _("ask again"))
 
 
 def _said(problem: Problem) -> ProblemSaid:

@@ -1,19 +1,35 @@
 """From what a page asks to what it is sent: computed, or what is wrong, here and now."""
 
 import traceback
+from collections.abc import Callable
 
 from cranktrain.errors import InputError
 from cranktrain.language import _
-from cranktrain.web.asked import PageQuestion, Reply
+from cranktrain.web.asked import HowFar, PageQuestion, Reply, SweepQuestion
 from cranktrain.web.case import file_text, packed_page, packed_tab, packed_trust
 from cranktrain.web.gallery import gallery
 from cranktrain.web.packed import packed
 from cranktrain.web.refusals import refusal_of, refused
 
 
-def reply_to(question: PageQuestion) -> Reply:
-    """Give what is asked for, or say what is wrong with the machine; whatever comes up, it is a reply."""
+def _unsaid(_how_far: HowFar) -> None:
+    """Let nobody know how far an answer is."""
+
+
+def reply_to(question: PageQuestion | SweepQuestion, say: Callable[[HowFar], None] = _unsaid) -> Reply:
+    """Give what is asked for, or say what is wrong with the machine; whatever comes up, it is a reply.
+
+    Parameters
+    ----------
+    question : PageQuestion or SweepQuestion
+    say : callable
+        Called when it is known how far a long one is.
+    """
     try:
+        if isinstance(question, SweepQuestion):
+            from cranktrain.web.sweeping import packed_sweep  # pages ask for none
+
+            return Reply(200, "application/octet-stream", packed_sweep(question, say).content)
         if question.part == "file" and question.case is not None:
             return Reply(200, "text/plain; charset=utf-8", file_text(question.case, question.key).encode())
         return Reply(200, "application/octet-stream", _content(question))

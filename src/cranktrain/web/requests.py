@@ -8,7 +8,7 @@ from pydantic import BaseModel, Field
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.paths import parts_of
-from cranktrain.web.asked import Case, PageQuestion, Part, SentMachine
+from cranktrain.web.asked import Case, PageQuestion, Part, SentMachine, SweepQuestion
 
 _MOST_SETTINGS, _LONGEST, _MOST_FILES = 100, 500, 20
 _LONGEST_TEXT = 64_000
@@ -67,6 +67,37 @@ class FileAsked(CaseAsked):
     ] = ""
 
 
+class SweepAsked(CaseAsked):
+    """A machine, and what of it is varied."""
+
+    vary: Annotated[
+        dict[_Name, _Name],
+        Field(
+            min_length=1,
+            max_length=2,
+            description="Paths, each with its values: a range FROM..TO:COUNT, or several with commas between.",
+            examples=[{"mechanism.rod_length": "130..160 mm:31"}],
+        ),
+    ]
+    wanted: Annotated[
+        list[_Name],
+        Field(max_length=4, description="Names of facts; the headlines where there are none.", examples=[["stroke"]]),
+    ] = []
+
+
+class SweepTaken(BaseModel):
+    """A sweep that is computed."""
+
+    number: Annotated[str, Field(description="By which it is asked for.")]
+
+
+class SweepGoing(BaseModel):
+    """How far a sweep is."""
+
+    done: int
+    designs: Annotated[int, Field(description="0 as long as it has not begun.")]
+
+
 class ExampleNamed(BaseModel):
     """An example by its name."""
 
@@ -100,6 +131,12 @@ def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: st
     if not isinstance(asked, PageAsked):
         return PageQuestion(case, part)
     return PageQuestion(case, part, asked.tab, asked.beside and _case_of(asked.beside, known, served))
+
+
+def sweep_of(asked: SweepAsked, known: Collection[str], served: str | None) -> SweepQuestion:
+    """Find what is meant; as `question_of`."""
+    refuse(_naming_files([f"{path}={values}" for path, values in asked.vary.items()]))
+    return SweepQuestion(_case_of(asked, known, served), tuple(asked.vary.items()), tuple(asked.wanted))
 
 
 def _case_of(asked: CaseAsked, known: Collection[str], served: str | None) -> Case:

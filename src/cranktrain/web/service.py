@@ -9,16 +9,27 @@ from typing import Any
 
 from fastapi import FastAPI, Request
 from fastapi.exceptions import HTTPException, RequestValidationError
-from fastapi.responses import HTMLResponse, PlainTextResponse, Response
+from fastapi.responses import HTMLResponse, JSONResponse, PlainTextResponse, Response
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.examples import example_names
 from cranktrain.language import _
 from cranktrain.version import VERSION
-from cranktrain.web.asked import PageQuestion, Part, Reply
+from cranktrain.web.asked import HowFar, PageQuestion, Part, Reply, SweepQuestion
 from cranktrain.web.guard import Door, Guard, response_of
-from cranktrain.web.refusals import ProblemSaid, refusal_of, refused
-from cranktrain.web.requests import CaseAsked, ExampleNamed, FileAsked, PageAsked, question_of
+from cranktrain.web.refusals import ProblemSaid, refusal_of, refused, too_much_to_do
+from cranktrain.web.requests import (
+    CaseAsked,
+    ExampleNamed,
+    FileAsked,
+    PageAsked,
+    SweepAsked,
+    SweepGoing,
+    SweepTaken,
+    question_of,
+    sweep_of,
+)
+from cranktrain.web.sweeps import Sweeps
 from cranktrain.web.workers import InThisProcess, Replying
 
 _PAGE = """<!doctype html>
@@ -40,6 +51,7 @@ _REFUSED: dict[int | str, dict[str, Any]] = {
         (503, "Was given up, as it took too long or too much was asked at once."),
     )
 }
+_UNKNOWN: dict[int | str, dict[str, Any]] = {404: {"model": list[ProblemSaid], "description": "Not known any more."}}
 _NUMBERS: dict[str, Any] = {
     "response_class": Response,
     "responses": {
@@ -66,8 +78,8 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
     door : Door, optional
         Where it listens, and what whoever asks has to know; this computer's own users ask unless given.
     """
-    crew = InThisProcess() if replying is None else replying
-    app = FastAPI(title="cranktrain", version=VERSION, docs_url=None, redoc_url=None, lifespan=_running(crew))
+    crew, sweeps = InThisProcess() if replying is None else replying, Sweeps()
+    app = FastAPI(title="cranktrain", version=VERSION, docs_url=None, redoc_url=None, lifespan=_running(crew, sweeps))
     app.add_middleware(Guard, door=Door() if door is None else door)
     app.exception_handler(RequestValidationError)(_malformed)
     for status in (400, 404, 405):
@@ -121,10 +133,40 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
         """Give machines to begin with, each with a small drawing."""
         return response_of(await _while_waited_for(request, crew.reply(PageQuestion(None, "gallery"))))
 
+    _add_sweeps(app, sweeps, lambda asked: sweep_of(asked, known, file))
     return app
 
 
-def _running(crew: Replying) -> Callable[[FastAPI], Any]:
+def _add_sweeps(app: FastAPI, sweeps: Sweeps, question_of_sweep: Callable[[SweepAsked], SweepQuestion]) -> None:
+    """Let sweeps be begun, asked for and ended."""
+
+    @app.post("/api/sweep", status_code=202, response_model=SweepTaken, responses=_REFUSED)
+    async def _begin(asked: SweepAsked) -> Any:
+        """Begin to compute facts over values of the file; gives a number by which it is asked for."""
+        try:
+            number = sweeps.begin(question_of_sweep(asked))
+        except InputError as error:
+            return response_of(refused(error.problems))
+        return response_of(too_much_to_do()) if number is None else SweepTaken(number=number)
+
+    @app.get("/api/sweep/{number}", responses={**_NUMBERS["responses"], 202: {"model": SweepGoing}, **_UNKNOWN})
+    async def _reply(number: str) -> Response:
+        """Give how far a sweep is (202), or what is varied and the facts over it."""
+        found = sweeps.reply(number)
+        if found is None:
+            raise HTTPException(404)
+        if isinstance(found, HowFar):
+            return JSONResponse(found._asdict(), status_code=202)
+        return response_of(found)
+
+    @app.delete("/api/sweep/{number}", status_code=204, responses=_UNKNOWN)
+    async def _end(number: str) -> None:
+        """Stop a sweep, and forget it."""
+        if not sweeps.end(number):
+            raise HTTPException(404)
+
+
+def _running(crew: Replying, sweeps: Sweeps) -> Callable[[FastAPI], Any]:
     """Have those who compute as long as the service runs."""
 
     @asynccontextmanager
@@ -133,6 +175,7 @@ def _running(crew: Replying) -> Callable[[FastAPI], Any]:
         try:
             yield
         finally:
+            await sweeps.stop()
             await crew.stop()
 
     return running

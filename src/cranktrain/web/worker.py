@@ -28,11 +28,14 @@ def work() -> None:
     threading.Thread(target=_listen, args=(sys.stdin.buffer, questions), daemon=True).start()
     from cranktrain.web.replies import reply_to  # half a second, within which the first question may come
 
+    def send(value: object) -> None:
+        replies.write(framed(value))
+        replies.flush()
+
     while True:
         # Written by the service that started this process, and by nobody else.
         question: Any = pickle.loads(questions.get())
-        replies.write(framed(reply_to(question)))
-        replies.flush()
+        send(reply_to(question, send))
 
 
 def _listen(asked: BinaryIO, questions: "SimpleQueue[bytes]") -> None:

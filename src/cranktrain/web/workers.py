@@ -5,27 +5,21 @@ more, is ended and another one takes its place, and a question goes to the proce
 """
 
 import asyncio
-import os
-import pickle
-import sys
 from collections import deque
 from collections.abc import Coroutine
 from contextlib import suppress
 from typing import Any, Protocol
 
 from cranktrain.language import _
-from cranktrain.web.asked import MOST_KEPT, Case, PageQuestion, Reply
-from cranktrain.web.refusals import refusal_of
-from cranktrain.web.worker import LENGTH, framed
+from cranktrain.web.asked import Case, PageQuestion, Reply
+from cranktrain.web.refusals import given_up, process_ended, refusal_of, too_much_to_do
+from cranktrain.web.worker_process import GONE, WorkerProcess
 
 _LONGEST = 60.0
 """After which a question is given up. [s]"""
 _PATIENCE = 1.0
 """So long one waits for a process before another is started, and so long goes on what nobody waits for. [s]"""
 _MOST_WAITING = 100
-
-_START = "import sys; sys.path[:] = {}; from cranktrain.web.worker import work; work()"
-"""Of a process: it finds what this one finds, and nothing that only lies in the working folder."""
 
 
 class Replying(Protocol):
@@ -60,49 +54,6 @@ class InThisProcess:
         return await asyncio.to_thread(reply_to, question)
 
 
-class _WorkerProcess:
-    """A process, and the machines that it has."""
-
-    def __init__(self) -> None:
-        self.cases: deque[Case | None] = deque(maxlen=MOST_KEPT)
-        self._process: asyncio.subprocess.Process | None = None
-
-    async def reply(self, question: PageQuestion) -> Reply:
-        """Have a question answered; one that ends meanwhile is an IncompleteReadError or an OSError."""
-        if self._process is None or self._process.returncode is not None:
-            await self.start()
-        assert self._process is not None and self._process.stdin is not None and self._process.stdout is not None
-        with suppress(ValueError):
-            self.cases.remove(question.case)
-        self.cases.append(question.case)
-        self._process.stdin.write(framed(question))
-        await self._process.stdin.drain()
-        (length,) = LENGTH.unpack(await self._process.stdout.readexactly(LENGTH.size))
-        # Written by a process of ours, and by nobody else.
-        found: Reply = pickle.loads(await self._process.stdout.readexactly(length))
-        return found
-
-    async def start(self) -> None:
-        """Begin, or begin anew; it is ready for questions at once, and answers when it has imported what it needs."""
-        self.cases.clear()
-        apart: dict[str, Any] = {"process_group": 0} if os.name == "posix" else {}  # Ctrl-C does not reach it
-        self._process = await asyncio.create_subprocess_exec(
-            sys.executable,
-            "-c",
-            _START.format(sys.path),
-            stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE,
-            **apart,
-        )
-
-    async def end(self) -> None:
-        """Take the process away, whatever it is at."""
-        if self._process is not None:
-            with suppress(ProcessLookupError):
-                self._process.kill()
-            await self._process.wait()
-
-
 class Workers:
     """Processes that answer questions, each one at a time.
 
@@ -117,17 +68,17 @@ class Workers:
     def __init__(self, n_at_once: int, longest: float = _LONGEST) -> None:
         self.n_at_once = n_at_once
         self._longest = longest
-        self._all: list[_WorkerProcess] = []
-        self._idle: list[_WorkerProcess] = []
+        self._all: list[WorkerProcess] = []
+        self._idle: list[WorkerProcess] = []
         """Those that were at work last stand last: what they have is still at hand."""
-        self._waiting: deque[asyncio.Future[_WorkerProcess]] = deque()
+        self._waiting: deque[asyncio.Future[WorkerProcess]] = deque()
         self._going: set[asyncio.Future[Any]] = set()
         self._is_over = False
 
     async def start(self) -> None:
         """Start all at once."""
         self._is_over = False
-        self._all = [_WorkerProcess() for _each in range(self.n_at_once)]
+        self._all = [WorkerProcess() for _each in range(self.n_at_once)]
         self._idle = list(self._all)
         for worker in self._all:
             await worker.start()
@@ -145,12 +96,12 @@ class Workers:
     async def reply(self, question: PageQuestion) -> Reply:
         """Answer, or say why it is not answered; what has not begun when this is cancelled never does."""
         if self._is_over or len(self._waiting) >= _MOST_WAITING:
-            return refusal_of(503, _("has too much to do now"), _("ask again"))
+            return too_much_to_do()
         try:
             async with asyncio.timeout(self._longest):
                 worker = await self._free_worker(question.case)
         except TimeoutError:
-            return refusal_of(503, _("has too much to do now"), _("ask again"))
+            return too_much_to_do()
         except ConnectionAbortedError:
             return _ended()
         if self._is_over:
@@ -170,45 +121,45 @@ class Workers:
         going.add_done_callback(self._going.discard)
         return going
 
-    async def _computed(self, worker: _WorkerProcess, question: PageQuestion) -> Reply:
+    async def _computed(self, worker: WorkerProcess, question: PageQuestion) -> Reply:
         """Have a question answered by a process that is free, and let it be free again."""
         try:
             async with asyncio.timeout(self._longest):
                 return await worker.reply(question)
         except TimeoutError:  # which is an OSError, too
             await self._replace(worker)
-            return refusal_of(503, _("takes longer than {n} s, and was given up", n=f"{self._longest:g}"))
+            return given_up(self._longest)
         except asyncio.CancelledError:
             await self._replace(worker)
             raise
-        except (asyncio.IncompleteReadError, OSError):
+        except GONE:
             await self._replace(worker)
             if self._is_over:
                 return _ended()
-            return refusal_of(503, _("could not be computed: its process ended"), _("ask again"))
+            return process_ended()
         finally:
             self._give_back(worker)
 
-    async def _replace(self, worker: _WorkerProcess) -> None:
+    async def _replace(self, worker: WorkerProcess) -> None:
         """Take a process away and start another for it; one that cannot be started is tried again when it is needed."""
         await worker.end()
         if not self._is_over:
             with suppress(OSError):
                 await worker.start()
 
-    async def _free_worker(self, case: Case | None) -> _WorkerProcess:
+    async def _free_worker(self, case: Case | None) -> WorkerProcess:
         """Find a process that is free, best one that has the machine; wait for one that will be, but not for long."""
         if self._idle:
             worker = next((one for one in self._idle if case in one.cases), self._idle[-1])
             self._idle.remove(worker)
             return worker
-        turn: asyncio.Future[_WorkerProcess] = asyncio.get_running_loop().create_future()
+        turn: asyncio.Future[WorkerProcess] = asyncio.get_running_loop().create_future()
         self._waiting.append(turn)
         try:
             found, _late = await asyncio.wait((turn,), timeout=_PATIENCE)
             if not found and len(self._all) < 2 * self.n_at_once:
                 self._waiting.remove(turn)
-                self._all.append(_WorkerProcess())
+                self._all.append(WorkerProcess())
                 return self._all[-1]
             return await turn
         except asyncio.CancelledError:
@@ -218,7 +169,7 @@ class Workers:
                 self._waiting.remove(turn)
             raise
 
-    def _give_back(self, worker: _WorkerProcess) -> None:
+    def _give_back(self, worker: WorkerProcess) -> None:
         """Hand a process on to whoever waits longest, or keep it; of more than there were at first, end it."""
         while self._waiting:
             turn = self._waiting.popleft()

@@ -138,9 +138,12 @@ def test_script_in_a_name_stays_text(client):
 
 def test_its_interface_is_described(client):
     schema = client.get("/openapi.json").json()
-    assert {"/api/case", "/api/tab", "/api/trust", "/api/file", "/api/examples"} == set(schema["paths"])
-    sent = schema["components"]["schemas"]["PageAsked"]["properties"]
-    assert {name for name, one in sent.items() if not one.get("description")} == set()
+    assert set(schema["paths"]) == {
+        *("/api/case", "/api/tab", "/api/trust", "/api/file", "/api/examples", "/api/sweep", "/api/sweep/{number}")
+    }
+    for table in ("PageAsked", "SweepAsked"):
+        sent = schema["components"]["schemas"][table]["properties"]
+        assert {name for name, one in sent.items() if not one.get("description")} == set()
     replies = schema["paths"]["/api/case"]["post"]["responses"]
     assert list(replies["200"]["content"]) == ["application/octet-stream"]
     assert {"422", "503"} <= replies.keys()

@@ -1,0 +1,69 @@
+"""A process that computes beside a service, as the service has it."""
+
+import asyncio
+import os
+import pickle
+import sys
+from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+from cranktrain.web.asked import MOST_KEPT, Case, HowFar, PageQuestion, Reply, SweepQuestion
+from cranktrain.web.worker import LENGTH, framed
+
+GONE = (asyncio.IncompleteReadError, OSError)
+"""What is raised of a process that ends before it answers."""
+
+_START = "import sys; sys.path[:] = {}; from cranktrain.web.worker import work; work()"
+"""Of a process: it finds what this one finds, and nothing that only lies in the working folder."""
+
+
+def _unheard(_how_far: HowFar) -> None:
+    """Take no notice of how far an answer is."""
+
+
+class WorkerProcess:
+    """A process, and the machines that it has."""
+
+    def __init__(self) -> None:
+        self.cases: deque[Case | None] = deque(maxlen=MOST_KEPT)
+        self._process: asyncio.subprocess.Process | None = None
+
+    async def reply(self, question: PageQuestion | SweepQuestion, heard: Callable[[HowFar], None] = _unheard) -> Reply:
+        """Have a question answered, and hear how far that is; one that ends meanwhile is one of `GONE`."""
+        if self._process is None or self._process.returncode is not None:
+            await self.start()
+        assert self._process is not None and self._process.stdin is not None and self._process.stdout is not None
+        with suppress(ValueError):
+            self.cases.remove(question.case)
+        self.cases.append(question.case)
+        self._process.stdin.write(framed(question))
+        await self._process.stdin.drain()
+        while True:
+            (length,) = LENGTH.unpack(await self._process.stdout.readexactly(LENGTH.size))
+            # Written by a process of ours, and by nobody else.
+            found: Reply | HowFar = pickle.loads(await self._process.stdout.readexactly(length))
+            if isinstance(found, Reply):
+                return found
+            heard(found)
+
+    async def start(self) -> None:
+        """Begin, or begin anew; it is ready for questions at once, and answers when it has imported what it needs."""
+        self.cases.clear()
+        apart: dict[str, Any] = {"process_group": 0} if os.name == "posix" else {}  # Ctrl-C does not reach it
+        self._process = await asyncio.create_subprocess_exec(
+            sys.executable,
+            "-c",
+            _START.format(sys.path),
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            **apart,
+        )
+
+    async def end(self) -> None:
+        """Take the process away, whatever it is at."""
+        if self._process is not None:
+            with suppress(ProcessLookupError):
+                self._process.kill()
+            await self._process.wait()
