@@ -8,6 +8,8 @@ export interface Place {
   readonly tab: string;
   /** Crank angle at which it stands; NaN of one that turns. [deg] */
   readonly angle: number;
+  /** Time at which it stands; NaN where there is none. [s] */
+  readonly time: number;
 }
 
 /** A machine, and which of its numbers are set anew: texts by path. */
@@ -22,18 +24,23 @@ export interface Asked {
 
 const TAB = "tab";
 const ANGLE = "phi";
+const TIME = "t";
 const MACHINE = "machine";
 const BESIDE = "beside";
 const SENT = "file";
-const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, MACHINE, BESIDE, SENT]);
+const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, TIME, MACHINE, BESIDE, SENT]);
 
 const parts = (hash: string): URLSearchParams => new URLSearchParams(hash.replace(/^#/, ""));
 
 /** Read a place from the part of an address behind #; what is wrong there is left out. */
 export function placeIn(hash: string): Place {
   const found = parts(hash);
-  const angle = Number.parseFloat(found.get(ANGLE) ?? "");
-  return { tab: found.get(TAB) ?? "", angle: Number.isFinite(angle) ? angle : NaN };
+  return { tab: found.get(TAB) ?? "", angle: numberIn(found.get(ANGLE)), time: numberIn(found.get(TIME)) };
+}
+
+function numberIn(text: string | null): number {
+  const found = Number.parseFloat(text ?? "");
+  return Number.isFinite(found) ? found : NaN;
 }
 
 /** Read a machine and its numbers. */
@@ -50,13 +57,14 @@ export function withPlace(hash: string, place: Place): string {
   const found = parts(hash);
   set(found, TAB, place.tab);
   set(found, ANGLE, Number.isNaN(place.angle) ? "" : `${+place.angle.toFixed(2)}`);
+  set(found, TIME, Number.isNaN(place.time) ? "" : `${+place.time.toPrecision(6)}`);
   return `#${found.toString()}`;
 }
 
 /** Write a machine and its numbers into the part of an address behind #; the place stays. */
 export function withAsked(hash: string, asked: Asked): string {
   const found = parts(hash);
-  for (const name of [...found.keys()]) if (name !== TAB && name !== ANGLE) found.delete(name);
+  for (const name of [...found.keys()]) if (name !== TAB && name !== ANGLE && name !== TIME) found.delete(name);
   set(found, MACHINE, asked.machine);
   set(found, SENT, asked.sent?.letters ?? "");
   for (const [path, text] of asked.settings) found.set(path, text);

@@ -31,8 +31,8 @@ const UNNAMED: ReadonlySet<Curve["role"]> = new Set(["ray", "half_ray", "textboo
 /** What is shown of a part of a page. */
 export interface Shown {
   readonly element: HTMLElement;
-  /** Stand at a crank angle. [deg] */
-  readonly show: (angle: number) => void;
+  /** Stand at a crank angle [deg], or at a time where the page is over time. */
+  readonly show: (place: number) => void;
   /** Take the width and the colours of what it stands in. */
   readonly fit: () => void;
 }
@@ -43,11 +43,11 @@ export class ShownCurves implements Shown {
   private readonly panels: readonly ShownPanel[];
   private part: PageCurves;
 
-  constructor(part: PageCurves, numbers: string, turned: (angle: number) => void) {
+  constructor(part: PageCurves, numbers: string, turned: (place: number) => void, unit: string) {
     this.part = part;
     this.panels = part.panels.map((panel, place) => {
       const isLast = !part.is_stack || place === part.panels.length - 1;
-      return new ShownPanel(panel, { over: part.is_stack ? part.over : panel.over, isStacked: part.is_stack, isLast, numbers, turned });
+      return new ShownPanel(panel, { over: part.is_stack ? part.over : panel.over, isStacked: part.is_stack, isLast, numbers, turned, unit });
     });
     this.element = html("div", { class: part.is_stack ? "stack" : "card" }, ...this.panels.map((one) => one.element));
   }
@@ -80,7 +80,9 @@ interface Manner {
   readonly isLast: boolean;
   /** What numbers are called. */
   readonly numbers: string;
-  readonly turned: (angle: number) => void;
+  readonly turned: (place: number) => void;
+  /** Of what the cursor is over. */
+  readonly unit: string;
 }
 
 /** Points of a curve: along and up. */
@@ -97,7 +99,7 @@ class ShownPanel {
   private readonly cursor = html("div", { class: "cursor" });
   private readonly numbers: NumbersOf;
   private readonly readings: HTMLElement[] = [];
-  private readonly isOverAngle: boolean;
+  private readonly hasCursor: boolean;
   private readonly manner: Manner;
   private readonly inks = new Map<Ink, string>();
   private panel: Panel;
@@ -108,12 +110,12 @@ class ShownPanel {
   private limits: readonly [number, number] = [0, 1];
   private plot: uPlot | null = null;
   private finer = 1;
-  private angle = 0;
+  private place = 0;
 
   constructor(panel: Panel, manner: Manner) {
     this.panel = panel;
     this.manner = manner;
-    this.isOverAngle = manner.isStacked && panel.across_unit === "°";
+    this.hasCursor = manner.isStacked && panel.across_unit === manner.unit;
     const title = html("h3", {}, said(panel.title));
     if (panel.symbol) title.append(" ", symbol(panel.symbol));
     if (panel.unit && manner.isStacked) title.append(html("span", { class: "unit" }, ", ", said(panel.unit)));
@@ -141,11 +143,11 @@ class ShownPanel {
     this.numbers.renew();
   }
 
-  show(angle: number): void {
-    this.angle = angle;
-    if (!this.isOverAngle) return;
+  show(at: number): void {
+    this.place = at;
+    if (!this.hasCursor) return;
     const [start, end] = this.reach;
-    const place = angle > end ? angle % end : angle;
+    const place = at > end ? at % end : at;
     this.readings.forEach((reading, which) => {
       const line = this.lines[which];
       if (line) reading.textContent = figures(interpolated(line.across, line.values, place), this.largest);
@@ -160,9 +162,9 @@ class ShownPanel {
     this.inks.clear();
     this.finer = fineness();
     this.plot = new uPlot(this.options(width), this.data(), this.room);
-    if (this.isOverAngle) {
+    if (this.hasCursor) {
       this.plot.over.append(this.cursor);
-      this.show(this.angle);
+      this.show(this.place);
     }
   }
 
@@ -185,7 +187,7 @@ class ShownPanel {
       const item = html("li", { class: `ink-${inkOf(curve.letter)}` }, lineSample(curve.role), nameOf(curve));
       const reading = html("output", { "aria-live": "off" });
       this.readings.push(reading);
-      if (this.isOverAngle) item.append(reading);
+      if (this.hasCursor) item.append(reading);
       if (this.isNamed(curve)) list.append(item);
     });
     return list;
@@ -208,10 +210,10 @@ class ShownPanel {
       head.append(panel.unit && ` ${plain(panel.unit)}`);
       return head;
     };
-    if (this.isOverAngle) {
-      const places = each(...this.reach, STEP);
+    if (this.hasCursor) {
+      const places = panel.across_unit === "°" ? each(...this.reach, STEP) : ticks(...this.reach, MOST_ROWS);
       const row = (place: number): string[] => shown.map((which) => lines[which] as Line).map((line) => value(interpolated(line.across, line.values, place)));
-      return { heads: [over, ...shown.map(headOf)], rows: places.map((place) => [figure(place, STEP), ...row(place)]) };
+      return { heads: [over, ...shown.map(headOf)], rows: places.map((place) => [figure(place, (places[1] ?? 1) - (places[0] ?? 0)), ...row(place)]) };
     }
     const most = Math.min(MOST_ROWS, Math.max(0, ...shown.map((which) => lines[which]?.across.length ?? 0)));
     const pairs = (row: number): string[] => shown.flatMap((which) => {
@@ -259,7 +261,7 @@ class ShownPanel {
     const { finer } = this;
     const grid = { stroke: this.ink("grid"), width: finer };
     const font = this.font(finer);
-    const isTurn = this.isOverAngle;
+    const isTurn = this.hasCursor && this.panel.across_unit === "°";
     const across = (): number[] => (isTurn ? angles(...this.reach) : ticks(...this.reach, Math.max(3, Math.floor(width / 75))));
     const up = (): number[] => ticks(...this.limits, this.manner.isStacked ? 4 : 5);
     const height = (this.manner.isStacked ? STACKED : ALONE) + (this.manner.isLast ? LAST : 8);
@@ -269,7 +271,7 @@ class ShownPanel {
       height: height * finer,
       legend: { show: false },
       padding: [8 * finer, 12 * finer, this.manner.isLast ? 0 : 4 * finer, 0],
-      cursor: { show: isTurn, x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
+      cursor: { show: this.hasCursor, x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
       scales: { x: { time: false, range: () => [...this.reach] }, y: { range: () => [...this.limits] } },
       axes: [
         {
@@ -287,7 +289,7 @@ class ShownPanel {
   }
 
   private listen(plot: uPlot): void {
-    if (!this.isOverAngle) return;
+    if (!this.hasCursor) return;
     const turn = (event: PointerEvent): void => {
       const box = plot.over.getBoundingClientRect();
       const [left, right] = this.reach;
@@ -384,7 +386,7 @@ class ShownPanel {
     const shade = (from: number, to: number): void => { ink.fillRect(x(from), box.top, x(to) - x(from), box.height); };
     for (const [from, to] of this.panel.hatched) shade(number(from), number(to));
     const line = this.lines[0];
-    if (!this.isOverAngle || !line) return;
+    if (!this.hasCursor || !line) return;
     let start = NaN;
     line.across.forEach((across, place) => {
       const isOpen = !Number.isFinite(line.values[place] ?? NaN);

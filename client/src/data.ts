@@ -38,9 +38,10 @@ export interface PageTab {
 export interface TabContent {
   readonly is: "TabContent";
   readonly answer: WrittenGroup;
-  readonly beside: PageTable | null;
   readonly sheets: readonly (PageSheet)[];
+  readonly beside: PageTable | null;
   readonly vectors: readonly (PinVectors)[];
+  readonly course: PageCourse | null;
 }
 
 export interface WrittenGroup {
@@ -59,20 +60,10 @@ export interface WrittenRow {
   readonly quantities: readonly (string)[];
 }
 
-export interface PageTable {
-  readonly is: "PageTable";
-  readonly title: string;
-  readonly heads: readonly (string)[];
-  readonly groups: readonly (string)[];
-  readonly rows: readonly (readonly (string)[])[];
-  readonly methods: readonly (number)[];
-  readonly notes: readonly (string)[];
-}
-
 export interface PageSheet {
   readonly is: "PageSheet";
   readonly title: string;
-  readonly columns: readonly (readonly (PageCurves | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | Notes | Ruler)[])[];
+  readonly columns: readonly (readonly (PageCurves | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | PageEvents | EventStrip | Notes | Ruler)[])[];
 }
 
 export interface PageCurves {
@@ -207,6 +198,38 @@ export interface ShaftShape {
   readonly nodes: Numbers;
 }
 
+export interface PageTable {
+  readonly is: "PageTable";
+  readonly title: string;
+  readonly heads: readonly (string)[];
+  readonly groups: readonly (string)[];
+  readonly rows: readonly (readonly (string)[])[];
+  readonly methods: readonly (number)[];
+  readonly notes: readonly (string)[];
+}
+
+export interface PageEvents {
+  readonly is: "PageEvents";
+  readonly title: string;
+  readonly events: readonly (PageEvent)[];
+}
+
+export interface PageEvent {
+  readonly is: "PageEvent";
+  readonly at: Float;
+  readonly number: number;
+  readonly time: string;
+  readonly name: string;
+  readonly angle: string;
+  readonly speed: string;
+}
+
+export interface EventStrip {
+  readonly is: "EventStrip";
+  readonly events: readonly (PageEvent)[];
+  readonly end: Float;
+}
+
 export interface Notes {
   readonly is: "Notes";
   readonly sentences: readonly (string)[];
@@ -245,6 +268,35 @@ export interface PinVector {
   readonly letter: string;
   readonly symbol: string;
   readonly value: Numbers;
+}
+
+export interface PageCourse {
+  readonly is: "PageCourse";
+  readonly unit: string;
+  readonly time: Numbers;
+  readonly crank_angle: Numbers;
+  readonly step: Float;
+  readonly paces: readonly (PagePace)[];
+  readonly at_first: number;
+  readonly words: CourseWords;
+}
+
+export interface PagePace {
+  readonly is: "PagePace";
+  readonly rate: Float;
+  readonly words: string;
+}
+
+export interface CourseWords {
+  readonly is: "CourseWords";
+  readonly drawing: string;
+  readonly time: string;
+  readonly play: string;
+  readonly stop: string;
+  readonly back: string;
+  readonly on: string;
+  readonly keys: string;
+  readonly pace: string;
 }
 
 export interface PageTrust {

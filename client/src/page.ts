@@ -2,7 +2,9 @@
 
 import type { Address } from "./address.ts";
 import type { Colours } from "./colours.ts";
-import type { PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
+import { Controls, type Cursor } from "./controls.ts";
+import { Passing } from "./course.ts";
+import type { PageCourse, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { dragged, pressed } from "./hands.ts";
 import { Mechanism } from "./mechanism.ts";
@@ -39,21 +41,21 @@ export class MachinePage {
   private readonly tabs = html("nav", { class: "tabs", role: "tablist" });
   private readonly columns: HTMLElement;
   private readonly stage = html("div", { class: "stage" });
-  private readonly slider = html("input", { type: "range", min: 0, step: 1, value: 0 });
-  private readonly reading = html("output", { class: "angle", "aria-live": "off" });
-  private readonly play = html("button", { type: "button", class: "play" });
-  private readonly steps: readonly HTMLButtonElement[];
-  private readonly keys = html("p", { class: "keys" });
+  private readonly controls: Controls;
   private readonly leftOut = html("p", { class: "note" });
   private readonly answers = html("div", { class: "answers", "aria-live": "polite" });
   private readonly checked = html("div", {});
   private readonly toMind = html("div", {});
   private readonly differ = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
   private readonly sheets: Sheets;
-  private readonly vectors = new VectorChoice((shown) => { this.mechanism.showVectors(shown); }, (tab) => { this.load(tab); });
+  private readonly vectors = new VectorChoice((shown) => { this.mechanism.showVectors(this.passing ? [] : shown); }, (tab) => { this.load(tab); });
   private readonly panel: HTMLElement;
   private readonly ghosts = html("button", { type: "button", class: "choice", title: "G", "aria-pressed": "false" });
   private mechanism: Mechanism;
+  /** Time that the open tab is over, if it is. */
+  private passing: Passing | null = null;
+  /** Time that the address asked for. [s] */
+  private asked = NaN;
   private page: ShownMachine;
   private source: Source | undefined;
   private contents = new Map<string, TabContent | null>();
@@ -64,38 +66,30 @@ export class MachinePage {
     this.address = address;
     this.colours = colours;
     this.mechanism = new Mechanism(page.drawing, page.words.drawing);
-    this.turning = new Turning(number(page.cycle), (angle, isPlaying) => { this.stand(angle, isPlaying); });
-    const turned = (angle: number): void => {
-      this.turning.stop();
-      this.turning.stand(angle);
-    };
-    this.sheets = new Sheets(turned);
-    this.panel = html("div", { class: "sheets", role: "tabpanel" }, this.differ, this.sheets.element);
-    this.steps = [-1, 1].map((by) => {
-      const button = html("button", { type: "button" }, by < 0 ? "−1°" : "+1°");
-      button.addEventListener("click", () => { this.turning.step(by); });
-      return button;
+    this.turning = new Turning(number(page.cycle), () => { this.stand(); });
+    this.controls = new Controls(this.turning, page.words);
+    this.sheets = new Sheets((place) => {
+      this.cursor.stop();
+      this.cursor.stand(place);
     });
-    this.play.addEventListener("click", () => { this.turning.toggle(); });
-    this.slider.addEventListener("input", () => { turned(Number(this.slider.value)); });
+    this.panel = html("div", { class: "sheets", role: "tabpanel" }, this.differ, this.sheets.element);
     this.differ.addEventListener("click", () => {
       this.differ.setAttribute("aria-pressed", `${!this.isOfDifferences}`);
       this.choose(this.chosen);
     });
     this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
     const right = html("section", { class: "right" }, this.toMind, this.panel);
-    const [back, on] = this.steps as [HTMLButtonElement, HTMLButtonElement];
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, html("div", { class: "turning-controls" }, this.play, back, this.slider, on, this.reading), html("div", { class: "choices" }, this.vectors.element, this.ghosts), this.keys, this.leftOut),
+      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.vectors.element, this.ghosts), this.controls.keys, this.leftOut),
       html("section", { class: "left" }, this.answers, this.checked),
       right,
     );
     this.head = html("header", { class: "head" }, this.title, this.made);
     into.replaceChildren(this.head, this.tabs, this.columns);
-    dragged(this.stage, () => this.mechanism, this.turning);
+    dragged(this.stage, () => this.mechanism, () => this.cursor);
     this.ghosts.addEventListener("click", () => { this.haunt(true); });
-    document.addEventListener("keydown", (event) => { pressed(event, this.turning, { KeyG: () => { this.haunt(true); } }); });
+    document.addEventListener("keydown", (event) => { pressed(event, this.cursor, { KeyG: () => { this.haunt(true); } }); });
     let width = right.clientWidth;
     new ResizeObserver(() => {
       if (right.clientWidth === width) return;
@@ -103,10 +97,11 @@ export class MachinePage {
       this.sheets.fit();
     }).observe(right);
     colours.follow(() => { this.sheets.fit(); });
-    const { angle } = address.place;
+    const { angle, time } = address.place;
+    this.asked = time;
     this.turning.stand(Number.isNaN(angle) ? 0 : angle);
     this.fill(page, source);
-    if (Number.isNaN(angle) && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.turning.play();
+    if (Number.isNaN(angle) && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.cursor.play();
   }
 
   /** Show a machine in place of what is shown; its tab, its crank angle and all that stays the same stay. */
@@ -127,13 +122,7 @@ export class MachinePage {
     write(this.made, made);
     this.fillTabs(page.tabs);
     this.turning.cycle = number(page.cycle);
-    this.slider.max = `${number(page.cycle)}`;
-    this.slider.setAttribute("aria-label", words.angle);
-    this.steps.forEach((button, place) => {
-      button.title = place ? words.on : words.back;
-      button.setAttribute("aria-label", button.title);
-    });
-    write(this.keys, words.keys);
+    this.controls.take(this.cursor, words);
     write(this.differ, words.differences);
     this.ghosts.replaceChildren(html("span", {}, words.ghosts));
     this.haunt();
@@ -187,8 +176,30 @@ export class MachinePage {
     this.answers.replaceChildren(answer(content.answer), ...(content.beside ? [table(content.beside)] : []));
     this.differ.hidden = !hasDifferences(content);
     this.sheets.take(content, this.page.words.numbers, this.isOfDifferences);
+    this.follow(content.course);
     this.vectors.take(this.contents, this.chosen?.name ?? "");
-    this.turning.stand(this.turning.angle);
+    this.vectors.element.hidden = content.course !== null;
+    this.stand();
+  }
+
+  /** Have the crank turn over the time of a tab, or over its cycle: it stays where it stands, and turning goes on. */
+  private follow(course: PageCourse | null): void {
+    const { cursor, passing } = this;
+    if (!course && !passing) return;
+    const { isPlaying, angle } = cursor;
+    cursor.isPlaying = false;
+    if (course) {
+      this.passing = new Passing(course, () => { this.stand(); });
+      const time = passing?.time ?? this.asked;
+      if (!Number.isNaN(time)) this.passing.time = Math.min(Math.max(time, 0), this.passing.end);
+      this.asked = NaN;
+      if (passing) this.passing.rate = passing.rate;
+    } else {
+      this.passing = null;
+      this.turning.stand(angle);
+    }
+    this.controls.take(this.cursor, this.page.words);
+    if (isPlaying) this.cursor.play();
   }
 
   /** Show the dead centres, or not. */
@@ -206,22 +217,22 @@ export class MachinePage {
     this.checked.replaceChildren(checks(found.checks, this.page.words.checks));
   }
 
-  private stand(angle: number, isPlaying: boolean): void {
-    const { words } = this.page;
-    this.mechanism.show(angle);
-    this.sheets.show(angle);
-    this.slider.value = `${angle}`;
-    this.reading.textContent = `φ = ${isPlaying ? Math.round(angle) : +angle.toFixed(1)}°`;
-    const word = isPlaying ? words.stop : words.play;
-    if (!isPlaying || this.play.title !== word) this.keep(this.address.place.tab);
-    if (this.play.title === word) return;
-    this.play.title = word;
-    this.play.setAttribute("aria-label", word);
-    this.play.textContent = isPlaying ? "❚❚" : "▶";
+  private get cursor(): Cursor {
+    return this.passing ?? this.turning;
+  }
+
+  private stand(): void {
+    const { cursor } = this;
+    this.mechanism.show(cursor.angle);
+    this.sheets.show(cursor.place);
+    this.controls.show();
+    if (!cursor.isPlaying || !Number.isNaN(this.address.place.angle)) this.keep(this.address.place.tab);
   }
 
   private keep(tab: string): void {
-    this.address.stand({ tab, angle: this.turning.isPlaying ? NaN : this.turning.angle });
+    const { cursor, passing } = this;
+    const stands = !cursor.isPlaying;
+    this.address.stand({ tab, angle: stands ? cursor.angle : NaN, time: stands && passing ? passing.time : NaN });
   }
 
   /** The tab that the address names, or the first. */

@@ -3,19 +3,25 @@
 import { lineSample, ShownCurves, type Shown } from "./curves.ts";
 import type { PageSheet, Ruler, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
+import { events, strip } from "./events.ts";
 import { number, same } from "./numbers.ts";
 import { bars, polars, shapes, stars, wear } from "./plane.ts";
 import { table } from "./tables.ts";
 import { said } from "./words.ts";
 
 type Part = PageSheet["columns"][number][number];
-type Turned = (angle: number) => void;
+type Turned = (place: number) => void;
+
+/** Of a crank angle. */
+const DEGREE = "°";
 
 /** The sheets of a tab. */
 export class Sheets {
   readonly element = html("div", {});
   private readonly turned: Turned;
   private sheets: readonly PageSheet[] = [];
+  /** Of what the cursor is over. */
+  private unit = DEGREE;
   private parts: ShownPart[] = [];
   private numbers = "";
 
@@ -26,9 +32,11 @@ export class Sheets {
   /** Show the sheets of a tab, or differences from a saved case, with the word for numbers; the same parts stay and change. */
   take(content: TabContent, numbers: string, isOfDifferences: boolean): void {
     const sheets = isOfDifferences ? content.sheets.map(differencesOf) : content.sheets;
-    const isOfTheSameParts = this.numbers === numbers && same(this.sheets.map(frameOf), sheets.map(frameOf));
+    const unit = content.course?.unit ?? DEGREE;
+    const isOfTheSameParts = this.numbers === numbers && same([this.unit, this.sheets.map(frameOf)], [unit, sheets.map(frameOf)]);
     this.sheets = sheets;
     this.numbers = numbers;
+    this.unit = unit;
     if (isOfTheSameParts) {
       partsOf(sheets).forEach((part, place) => this.parts[place]?.take(part));
       return;
@@ -38,9 +46,9 @@ export class Sheets {
     this.fit();
   }
 
-  /** Stand at a crank angle. [deg] */
-  show(angle: number): void {
-    for (const one of this.parts) one.show(angle);
+  /** Stand at a crank angle [deg], or at a time. */
+  show(place: number): void {
+    for (const one of this.parts) one.show(place);
   }
 
   /** Take the width and the colours of what they stand in. */
@@ -50,7 +58,7 @@ export class Sheets {
 
   private sheet(sheet: PageSheet): HTMLElement {
     const columns = sheet.columns.filter((parts) => parts.length).map((parts) => {
-      const shown = parts.map((part) => new ShownPart(part, this.numbers, this.turned));
+      const shown = parts.map((part) => new ShownPart(part, this.numbers, this.turned, this.unit));
       this.parts.push(...shown);
       return html("div", { class: "column" }, ...shown.map((one) => one.element));
     });
@@ -78,15 +86,17 @@ const partsOf = (sheets: readonly PageSheet[]): Part[] => sheets.flatMap((sheet)
 class ShownPart {
   private readonly numbers: string;
   private readonly turned: Turned;
+  private readonly unit: string;
   private part: Part;
   private shown: Shown;
-  private angle = 0;
+  private place = 0;
 
-  constructor(part: Part, numbers: string, turned: Turned) {
+  constructor(part: Part, numbers: string, turned: Turned, unit: string) {
     this.part = part;
     this.numbers = numbers;
     this.turned = turned;
-    this.shown = drawn(part, numbers, turned);
+    this.unit = unit;
+    this.shown = drawn(part, numbers, turned, unit);
   }
 
   get element(): HTMLElement {
@@ -98,15 +108,15 @@ class ShownPart {
     this.part = part;
     if (this.shown instanceof ShownCurves && part.is === "PageCurves" && this.shown.take(part)) return;
     const before = this.shown.element;
-    this.shown = drawn(part, this.numbers, this.turned);
+    this.shown = drawn(part, this.numbers, this.turned, this.unit);
     before.replaceWith(this.shown.element);
     this.shown.fit();
-    this.shown.show(this.angle);
+    this.shown.show(this.place);
   }
 
-  show(angle: number): void {
-    this.angle = angle;
-    this.shown.show(angle);
+  show(place: number): void {
+    this.place = place;
+    this.shown.show(place);
   }
 
   fit(): void {
@@ -115,10 +125,14 @@ class ShownPart {
 }
 
 /** Draw a part of a sheet. */
-function drawn(part: Part, numbers: string, turned: Turned): Shown {
+function drawn(part: Part, numbers: string, turned: Turned, unit: string): Shown {
   switch (part.is) {
     case "PageCurves":
-      return new ShownCurves(part, numbers, turned);
+      return new ShownCurves(part, numbers, turned, unit);
+    case "PageEvents":
+      return events(part, turned);
+    case "EventStrip":
+      return strip(part, turned);
     case "PagePolars":
       return polars(part, numbers);
     case "Bars":

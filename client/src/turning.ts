@@ -4,7 +4,9 @@
 const TURN = 4;
 
 /** Asks for a call at the next picture. [ms] */
-type Frame = (next: (time: number) => void) => void;
+export type Frame = (next: (time: number) => void) => void;
+
+export const soon: Frame = (next) => { requestAnimationFrame(next); };
 
 /** A crank angle within a cycle, which turns or stands. */
 export class Turning {
@@ -16,10 +18,18 @@ export class Turning {
   private readonly frame: Frame;
   private last = 0;
 
-  constructor(cycle: number, changed: (angle: number, isPlaying: boolean) => void, frame: Frame = (next) => { requestAnimationFrame(next); }) {
+  constructor(cycle: number, changed: (angle: number, isPlaying: boolean) => void, frame: Frame = soon) {
     this.cycle = cycle;
     this.changed = changed;
     this.frame = frame;
+  }
+
+  get place(): number {
+    return this.angle;
+  }
+
+  get end(): number {
+    return this.cycle;
   }
 
   /** Stand at an angle. [deg] */
@@ -32,6 +42,16 @@ export class Turning {
   step(by: number): void {
     this.stop();
     this.stand(this.angle === this.cycle ? by : this.angle + by);
+  }
+
+  home(): void {
+    this.step(-this.angle);
+  }
+
+  /** Go on by an angle, as it is. [deg] */
+  turn(by: number): void {
+    this.stop();
+    this.stand(this.angle + by);
   }
 
   play(): void {

@@ -6,19 +6,19 @@ import { sentIn, sentOf } from "../src/sent.ts";
 
 describe("an address", () => {
   it("gives the same place again", () => {
-    for (const place of [{ tab: "Torque and evenness", angle: 428 }, { tab: "", angle: 0 }, { tab: "Balance", angle: NaN }]) {
+    for (const place of [{ tab: "Torque and evenness", angle: 428, time: NaN }, { tab: "Start", angle: 0, time: 2.125 }, { tab: "Balance", angle: NaN, time: NaN }]) {
       assert.deepEqual(placeIn(withPlace("#tab=7&phi=1", place)), place);
     }
   });
   it("leaves out what is none", () => {
-    assert.deepEqual(placeIn("#tab=x&phi=NaN"), { tab: "x", angle: NaN });
-    assert.deepEqual(placeIn(""), { tab: "", angle: NaN });
+    assert.deepEqual(placeIn("#tab=x&phi=NaN"), { tab: "x", angle: NaN, time: NaN });
+    assert.deepEqual(placeIn(""), { tab: "", angle: NaN, time: NaN });
   });
   it("gives the same machine with the same numbers again, whatever stands in them", async () => {
     const settings = new Map([["shaft.main.speed", "1800 rpm"], ['load."a & b".size', "1 kN·m = ?"]]);
     const hash = withAsked("#tab=Balance&phi=70&machine=vaz_21213&cylinder.bore=1 mm", { machine: "3d12", settings });
     assert.deepEqual(await askedIn(hash), { machine: "3d12", settings });
-    assert.deepEqual(placeIn(hash), { tab: "Balance", angle: 70 });
+    assert.deepEqual(placeIn(hash), { tab: "Balance", angle: 70, time: NaN });
   });
   it("gives the saved case beside it again", async () => {
     const beside = { machine: "", settings: new Map([["cylinder.bore", "1 & 2 mm"]]) };

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -155,16 +155,24 @@ class Start(Run):
         yield from section(_("Events"), map(_event_line, self.events))
 
 
+class EventTexts(NamedTuple):
+    """An event as it is written: when, what, at which crank angle, and the crank's speed."""
+
+    time: str
+    name: Words
+    angle: Words
+    speed: Words
+
+
+def event_texts(event: StartEvent) -> EventTexts:
+    """Write when and where something happened."""
+    angle = number(float(np.mod(event.angle, 2 * np.pi)), "deg")
+    return EventTexts(f"{event.time:10.6f} s", event.name, angle, number(event.speed, "rpm"))
+
+
 def _event_line(event: StartEvent) -> Unfolded:
     """Say when and where something happened."""
-    said = _(
-        "{time}  {name}, at {angle}, {speed}",
-        time=f"{event.time:10.6f} s",
-        name=event.name,
-        angle=number(float(np.mod(event.angle, 2 * np.pi)), "deg"),
-        speed=number(event.speed, "rpm"),
-    )
-    return Unfolded(said)
+    return Unfolded(_("{time}  {name}, at {angle}, {speed}", **event_texts(event)._asdict()))
 
 
 def start(machine: Machine, *, at: Sequence[float] | None = None, progress: Progress | None = None) -> Start:

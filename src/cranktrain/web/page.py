@@ -19,16 +19,18 @@ from cranktrain.motion import Array
 from cranktrain.panels.dead_positions import dead_positions
 from cranktrain.panels.drawing import MachineDrawing
 from cranktrain.panels.drawing_of_machine import machine_drawing
-from cranktrain.panels.parts import Notes, Sheet, SheetColumn, Stack
+from cranktrain.panels.parts import Sheet, SheetColumn, Stack
 from cranktrain.panels.plotted import plot_of
 from cranktrain.panels.shapes import Panel
 from cranktrain.panels.sheets import pictures_of, vectors_of
 from cranktrain.panels.vectors import PinVectors, vectors_as_shown
 from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
-from cranktrain.saying.row_table import WrittenGroup, written_group
-from cranktrain.web.parts import PagePart, PageTable, page_curves, page_parts
+from cranktrain.saying.row_table import written_group
+from cranktrain.web.parts import page_curves, page_parts
 from cranktrain.web.saved_facts import facts_beside
+from cranktrain.web.start_tab import START
+from cranktrain.web.tabs import PageSheet, TabContent, lacking_sheet
 
 _STEP = 2.0
 """Between positions of the drawing, between which a page goes on smoothly. [deg]"""
@@ -37,18 +39,13 @@ _VECTOR_STEP = 4.0
 _MOST_PANELS = 4
 """Of curves of a question that has no sheet."""
 
-
-@record
-class PageSheet:
-    """A sheet: its title, none of the only one of its tab, and its columns of parts."""
-
-    title: Words
-    columns: tuple[tuple[PagePart, ...], ...]
+ASKED_TABS = (START,)
+"""Tabs of what is asked when somebody opens them, behind those of the questions."""
 
 
 @record
 class PageTab:
-    """What some questions of one title answer.
+    """What some questions of one title answer, or what is asked when somebody opens it.
 
     Attributes
     ----------
@@ -61,28 +58,7 @@ class PageTab:
 
     name: str
     title: Words
-    content: "TabContent | None"
-
-
-@record
-class TabContent:
-    """What stands on a tab.
-
-    Attributes
-    ----------
-    answer : WrittenGroup
-        Its rows, none where nothing can be said.
-    beside : PageTable or None
-        Its facts beside those of a saved case; None where nothing is beside.
-    sheets : tuple of PageSheet
-    vectors : tuple of PinVectors
-        For the drawing.
-    """
-
-    answer: WrittenGroup
-    beside: PageTable | None
-    sheets: tuple[PageSheet, ...]
-    vectors: tuple[PinVectors, ...]
+    content: TabContent | None
 
 
 @record
@@ -229,14 +205,18 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
 
 
 def tab_names(result: Result) -> tuple[str, ...]:
-    """Titles of questions that have an answer or a picture, in the order in which people ask them."""
+    """Titles of questions that have an answer or a picture, in the order in which people ask them, and what else is."""
     with_rows = answer_titles(result)
     titles = dict.fromkeys(question.title for question in result.machines[0].questions)
-    return tuple(title for title in titles if title in with_rows or any(_makers(result, title)))
+    of_questions = (title for title in titles if title in with_rows or any(_makers(result, title)))
+    return (*of_questions, *(tab.name for tab in ASKED_TABS if tab.is_there(result)))
 
 
 def tab_content(result: Result, title: str, saved: Result | None = None) -> TabContent:
     """Collect what stands under a title, which is the name of a tab, with rows and curves of a saved case beside."""
+    for tab in ASKED_TABS:
+        if tab.name == title:
+            return tab.content(result)
     return TabContent(
         answer=written_group(_(title), rows_under(result, title)),
         beside=None if saved is None else facts_beside(result, saved, title),
@@ -266,8 +246,8 @@ def _sheets(result: Result, title: str, saved: Result | None) -> Iterator[PageSh
     for make in makers:
         try:
             sheet: Sheet = make(result)
-        except InputError as error:  # it says what the file lacks
-            yield PageSheet("", ((Notes(tuple(str(problem) for problem in error.problems)),),))
+        except InputError as error:
+            yield lacking_sheet(error)
         else:
             beside = [column.parts for column in _sheet_beside(saved, title, make)]
             parts = zip_longest((column.parts for column in sheet.columns), beside[: len(sheet.columns)], fillvalue=())

@@ -99,7 +99,57 @@ class PageTable:
     notes: tuple[Words, ...]
 
 
-PagePart: TypeAlias = PageCurves | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | Notes | Ruler
+@record
+class PageEvent:
+    """Something that happens in time.
+
+    Attributes
+    ----------
+    at : float
+        When, in the unit of the curves.
+    number : int
+        By which the curves name it, 0 of what comes often.
+    time, name, angle, speed : Words
+        When, what, at which crank angle and speed of the crank, as the terminal writes it.
+    """
+
+    at: float
+    number: int
+    time: Words
+    name: Words
+    angle: Words
+    speed: Words
+
+
+@record
+class PageEvents:
+    """Events in the order of time, under a title."""
+
+    title: Words
+    events: tuple[PageEvent, ...]
+
+
+@record
+class EventStrip:
+    """Events where they stand over the curves below, which go from the beginning to an end."""
+
+    events: tuple[PageEvent, ...]
+    end: float
+
+
+PagePart: TypeAlias = (
+    PageCurves
+    | PagePolars
+    | Bars
+    | Stars
+    | PageWear
+    | ShaftShapes
+    | PageTable
+    | PageEvents
+    | EventStrip
+    | Notes
+    | Ruler
+)
 
 
 def page_parts(parts: Sequence[Part], saved: Sequence[Part] = ()) -> Iterator[PagePart]:

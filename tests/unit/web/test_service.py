@@ -139,7 +139,8 @@ def test_script_in_a_name_stays_text(client):
 def test_its_interface_is_described(client):
     schema = client.get("/openapi.json").json()
     assert set(schema["paths"]) == {
-        *("/api/case", "/api/tab", "/api/trust", "/api/file", "/api/examples", "/api/sweep", "/api/sweep/{number}")
+        *("/api/case", "/api/tab", "/api/trust", "/api/file", "/api/examples", "/api/gallery"),
+        *("/api/sweep", "/api/sweep/{number}"),
     }
     for table in ("PageAsked", "SweepAsked"):
         sent = schema["components"]["schemas"][table]["properties"]

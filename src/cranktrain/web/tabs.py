@@ -1,0 +1,120 @@
+"""What stands on a tab of a page; and tabs beside those of the questions: of what is asked when somebody opens them."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from cranktrain.analysis import Result
+from cranktrain.errors import InputError
+from cranktrain.language import Words
+from cranktrain.motion import Array
+from cranktrain.panels.parts import Notes
+from cranktrain.panels.vectors import PinVectors
+from cranktrain.record import record
+from cranktrain.saying.row_table import WrittenGroup
+from cranktrain.web.parts import PagePart, PageTable
+
+
+@record
+class PageSheet:
+    """A sheet: its title, none of the only one of its tab, and its columns of parts."""
+
+    title: Words
+    columns: tuple[tuple[PagePart, ...], ...]
+
+
+@record
+class PagePace:
+    """How fast time passes on a page: how much of it in a second of who looks, and what that is called."""
+
+    rate: float
+    words: Words
+
+
+@record
+class CourseWords:
+    """Words of what turns the crank over time."""
+
+    drawing: Words
+    time: Words
+    play: Words
+    stop: Words
+    back: Words
+    on: Words
+    keys: Words
+    pace: Words
+
+
+@record
+class PageCourse:
+    """Time that a tab is over, in which the crank turns.
+
+    Attributes
+    ----------
+    unit : str
+        Of all times, as the panels have it.
+    time : Array, shape (n,)
+        From the beginning to the end.
+    crank_angle : Array, shape (n,)
+        As shown, counted on through all turns. [deg]
+    step : float
+        By which a key goes on, of one figure.
+    paces : tuple of PagePace
+    at_first : int
+        Place of the pace at which it is shown at first.
+    words : CourseWords
+    """
+
+    unit: str
+    time: Array
+    crank_angle: Array
+    step: float
+    paces: tuple[PagePace, ...]
+    at_first: int
+    words: CourseWords
+
+
+@record
+class TabContent:
+    """What stands on a tab.
+
+    Attributes
+    ----------
+    answer : WrittenGroup
+        Its rows, none where nothing can be said.
+    sheets : tuple of PageSheet
+    beside : PageTable or None
+        Its facts beside those of a saved case; None where nothing is beside.
+    vectors : tuple of PinVectors
+        For the drawing.
+    course : PageCourse or None
+        Time that it is over, in which the crank turns; None of what is over the crank angle.
+    """
+
+    answer: WrittenGroup
+    sheets: tuple[PageSheet, ...]
+    beside: PageTable | None = None
+    vectors: tuple[PinVectors, ...] = ()
+    course: PageCourse | None = None
+
+
+class AskedTab(NamedTuple):
+    """A tab of what is no question of the cycle.
+
+    Attributes
+    ----------
+    name : str
+        Its title, not yet translated.
+    is_there : callable
+        Whether a machine has it, by its result; nothing is computed.
+    content : callable
+        Computes what stands on it.
+    """
+
+    name: str
+    is_there: Callable[[Result], bool]
+    content: Callable[[Result], TabContent]
+
+
+def lacking_sheet(error: InputError) -> PageSheet:
+    """Give a sheet that says what the file lacks."""
+    return PageSheet("", ((Notes(tuple(str(problem) for problem in error.problems)),),))
