@@ -36,3 +36,29 @@ class Watched:
         self.page.on("request", lambda asked: None if asked.url.startswith(own) else self.faults.append(asked.url))
         self.page.goto(address)
         self.page.wait_for_selector(waits_for)
+
+
+_WCAG = ("wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa")
+_FAULTS = """async (rules) => (await axe.run({ runOnly: rules })).violations
+    .flatMap((rule) => rule.nodes.map((node) => `${rule.id}: ${node.target} ${node.any[0]?.message ?? rule.help}`))"""
+
+
+def faults(page, *rules):
+    """What axe-core, which the page has, finds against WCAG 2.2 AA, or by some rules."""
+    return page.evaluate(_FAULTS, rules or _WCAG)
+
+
+def focused(page):
+    """What keys go to, as HTML."""
+    return page.evaluate("document.activeElement.outerHTML")
+
+
+def tab_to(page, query, key="Tab", most=120):
+    """Go on by a key until an element is reached; each on the way shows that it is."""
+    for _step in range(most):
+        page.keyboard.press(key)
+        outline = page.evaluate("getComputedStyle(document.activeElement).outline")
+        assert "solid 2px" in outline, focused(page)
+        if page.evaluate("(query) => document.activeElement.matches(query)", query):
+            return
+    pytest.fail(f"{query} is not reached")

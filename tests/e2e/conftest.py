@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from tests.browser import Watched, browser
+from tests.client import installed
 
 import cranktrain as ct
 from cranktrain.cli import main
@@ -127,3 +128,10 @@ def opened(chromium, written):
     for context in contexts:
         context.close()
     assert [fault for one in found for fault in one.faults] == []
+
+
+@pytest.fixture(scope="session")
+def axe(tmp_path_factory):
+    """The program that looks for faults, as the lock file of the client names it."""
+    path = installed(tmp_path_factory.mktemp("with_axe")) / "node_modules/axe-core/axe.min.js"
+    return path.read_text(encoding="utf-8")

@@ -1,33 +1,27 @@
 """A page for those who do not see it well or have no mouse: axe-core finds no fault, and keys reach all of it."""
 
 import pytest
-from tests.client import installed
+from tests.browser import faults, tab_to
 
 SETTLED = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
-WCAG = ("wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa")
-FAULTS = """async (rules) => (await axe.run({ runOnly: rules })).violations
-    .flatMap((rule) => rule.nodes.map((node) => `${rule.id}: ${node.target} ${node.any[0]?.message ?? rule.help}`))"""
-
-
-@pytest.fixture(scope="session")
-def axe(tmp_path_factory):
-    """The program that looks for faults, as the lock file of the client names it."""
-    path = installed(tmp_path_factory.mktemp("with_axe")) / "node_modules/axe-core/axe.min.js"
-    return path.read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("width", [1440, 390])
-@pytest.mark.parametrize("colours", ["light", "dark"])
 @pytest.mark.parametrize("name", ["3d12", "jaw_crusher", "burning_cylinder", "compressor_start"])
-def test_no_fault_on_any_tab(opened, axe, name, colours, width):
-    page = opened(name, width=width, height=900, color_scheme=colours)
+def test_no_fault_on_any_tab(opened, axe, name, width):
+    page = opened(name, width=width, height=900)
     page.evaluate(axe)
     for tab in page.locator(".tabs button").all():
         tab.click()
         for button in page.locator(".numbers-of").all():
             button.click()
         page.evaluate(SETTLED)
-        assert page.evaluate(FAULTS, WCAG) == [], tab.inner_text()
+        assert faults(page) == [], tab.inner_text()
+        page.emulate_media(color_scheme="dark")
+        page.wait_for_selector(":root[data-colours=dark]")
+        assert faults(page, "color-contrast") == [], tab.inner_text()
+        page.emulate_media(color_scheme="light")
+        page.wait_for_selector(":root[data-colours=light]")
 
 
 def test_each_chart_has_a_name_and_its_numbers(opened):
@@ -55,21 +49,6 @@ def test_numbers_of_a_curve_are_those_under_its_cursor(opened):
     assert panel.locator("thead th").all_inner_texts() == ["Crank angle φ, °", "1L mm", "1R mm"]
     panel.locator(".numbers-of").click()
     assert panel.locator("tbody tr").count() == 0
-
-
-def focused(page, what="outerHTML"):
-    return page.evaluate(f"document.activeElement.{what}")
-
-
-def tab_to(page, query, key="Tab", most=120):
-    """Go on by a key until an element is reached; each on the way shows that it is."""
-    for _step in range(most):
-        page.keyboard.press(key)
-        outline = page.evaluate("getComputedStyle(document.activeElement).outline")
-        assert "solid 2px" in outline, focused(page)
-        if page.evaluate("(query) => document.activeElement.matches(query)", query):
-            return
-    pytest.fail(f"{query} is not reached")
 
 
 def test_keys_reach_every_function_of_a_page(opened):

@@ -4,7 +4,7 @@ import re
 import tomllib
 
 import pytest
-from tests.browser import Watched
+from tests.browser import Watched, faults, tab_to
 from tests.sentences import NOT_POSITIVE
 from tests.serving import served
 
@@ -202,3 +202,34 @@ def test_at_another_host_the_address_has_the_token_which_the_browser_keeps_out_o
         settled(watched.page, "stroke", "78.00")
         assert [fault for fault in watched.faults if not fault.startswith(place)] == []
         context.close()
+
+
+@pytest.mark.parametrize("colours", ["light", "dark"])
+def test_no_fault_beside_a_wrong_number(opened, axe, colours):
+    page = opened("#machine=3d12&phi=0")
+    page.emulate_media(color_scheme=colours)
+    settled(page, "stroke", "180.0")
+    typed(page, "bore", "-3 mm")
+    page.locator("[aria-invalid]").wait_for()
+    page.evaluate(axe)
+    assert faults(page) == []
+
+
+def test_a_whole_edit_by_keys_alone(opened):
+    page = opened("#machine=textbook_78x78&phi=0")
+    settled(page, "stroke", "78.00")
+    tab_to(page, ".field input[value='78 mm']")
+    page.keyboard.press("ControlOrMeta+a")
+    page.keyboard.type("80 mm")
+    page.keyboard.press("Enter")
+    settled(page, "stroke", "80.00")
+    tab_to(page, ".changed .back")
+    page.keyboard.press("Enter")
+    settled(page, "stroke", "78.00")
+    tab_to(page, ".bar button", key="Shift+Tab")
+    assert page.evaluate("document.activeElement.matches('.bar :is(button, select)')")
+    tab_to(page, ".bar select", key="Shift+Tab")
+    while not page.evaluate("document.activeElement.labels[0]?.textContent.startsWith('Machine')"):
+        tab_to(page, ".bar select", key="Shift+Tab")
+    page.keyboard.type("jaw")
+    page.locator("h1", has_text="jaw crusher").wait_for()
