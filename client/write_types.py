@@ -12,6 +12,8 @@ import numpy as np
 from cranktrain.language import Said
 from cranktrain.web.case import PageCase
 from cranktrain.web.gallery import Gallery
+from cranktrain.web.going_on import PageGoingOn
+from cranktrain.web.sweeping import SweptDesignsOfPage
 
 HEAD = """// What a page is given. Written by write_types.py out of the records of cranktrain.web; do not edit.
 
@@ -71,7 +73,7 @@ class Types:
 def types_text() -> str:
     """Give all of them."""
     types = Types()
-    for kind in (PageCase, Gallery):
+    for kind in (PageCase, PageGoingOn, Gallery, SweptDesignsOfPage):
         types.interface(kind)
     return "\n".join([HEAD, *types.written.values()])
 

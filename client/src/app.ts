@@ -8,7 +8,8 @@ import { Address, type Asked, askedIn, last } from "./address.ts";
 import { ask, opened, Refused } from "./asking.ts";
 import { Bar } from "./bar.ts";
 import { Colours } from "./colours.ts";
-import type { Gallery, PageCase, PageOffer, PageTrust, TabContent } from "./data.ts";
+import type { Gallery, PageCase, PageGoingOn, PageOffer, TabContent } from "./data.ts";
+import { DesignTab } from "./design.ts";
 import { html } from "./elements.ts";
 import { Form, type Problem } from "./form.ts";
 import { GalleryDialog } from "./gallery.ts";
@@ -23,6 +24,9 @@ const PATIENCE = 150;
 /** What is shown where nobody asks for anything. */
 const FIRST = "3d12";
 
+/** What the tab on which numbers are varied is called in addresses. */
+const DESIGN = "Design";
+
 /** How the name of a machine file ends. */
 const MACHINE_FILE = ".toml";
 
@@ -35,6 +39,7 @@ class App {
   private readonly bar: Bar;
   private readonly address: Address;
   private readonly colours = new Colours();
+  private readonly design: DesignTab;
   private form: Form | null = null;
   private shown: Asked | null = null;
   private page: MachinePage | null = null;
@@ -52,6 +57,10 @@ class App {
       save: () => { void this.save(); },
       beside: (saved) => { this.compare(saved); },
     }, this.colours.element);
+    this.design = new DesignTab({
+      load: (settings) => { this.ask({ ...this.steps.now, settings: new Map([...this.steps.now.settings, ...settings]) }); },
+      fail: (error) => { this.fail(error); },
+    });
     this.files.addEventListener("change", () => { void this.open([...(this.files.files ?? [])]); });
     document.addEventListener("dragover", (event) => { event.preventDefault(); });
     document.addEventListener("drop", (event) => {
@@ -159,13 +168,16 @@ class App {
     const source: Source = {
       tab: async (name) => (await this.more("api/tab", asked, signal, name)) as TabContent,
       trust: async () => {
-        const trust = (await this.more("api/trust", asked, signal)) as PageTrust;
-        this.offer(trust.offers, words.more);
+        const { trust, offers, facts } = (await this.more("api/trust", asked, signal)) as PageGoingOn;
+        this.offer(offers, words.more);
+        this.design.offer(facts);
         return trust;
       },
     };
-    if (this.page) this.page.take(found.machine, source);
-    else this.page = new MachinePage(found.machine, this.view, this.address, this.colours, source);
+    this.design.take(asked, found.tables, words.design);
+    const own = [{ name: DESIGN, title: words.design.title, element: this.design.element, fit: () => { this.design.fit(); } }];
+    if (this.page) this.page.take(found.machine, source, own);
+    else this.page = new MachinePage(found.machine, this.view, this.address, this.colours, source, own);
   }
 
   /** Ask for more of what is shown; of what is shown no longer nothing comes. */

@@ -14,16 +14,26 @@ export class Refused extends Error {
   }
 }
 
-/** What is asked beside a machine: on which tab, which table. */
+/** What is asked beside a machine: on which tab, which table, which facts over which values. */
 interface Beside {
   readonly tab?: string;
   readonly key?: string;
+  readonly vary?: Readonly<Record<string, string>>;
+  readonly wanted?: readonly string[];
 }
 
 /** Ask of a machine; what is wrong with it is thrown as `Refused`. */
 export async function ask(where: string, asked: Asked, beside: Beside = {}, signal: AbortSignal | null = null): Promise<Response> {
   const body = JSON.stringify({ ...caseOf(asked), ...beside, ...(asked.beside ? { beside: caseOf(asked.beside) } : {}) });
-  const answer = await fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal });
+  return known(await fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal }));
+}
+
+/** Ask for what hangs on no machine; what is wrong is thrown as `Refused`. */
+export async function look(where: string): Promise<Response> {
+  return known(await fetch(where));
+}
+
+async function known(answer: Response): Promise<Response> {
   if (answer.ok) return answer;
   throw new Refused((await answer.json()) as Problem[]);
 }

@@ -63,7 +63,7 @@ export interface WrittenRow {
 export interface PageSheet {
   readonly is: "PageSheet";
   readonly title: string;
-  readonly columns: readonly (readonly (PageCurves | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | PageEvents | EventStrip | Notes | Ruler)[])[];
+  readonly columns: readonly (readonly (PageCurves | PageMaps | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | PageEvents | EventStrip | Notes | Ruler)[])[];
 }
 
 export interface PageCurves {
@@ -121,6 +121,24 @@ export interface PanelLine {
   readonly symbol: string;
   readonly number: number;
   readonly is_upright: boolean;
+}
+
+export interface PageMaps {
+  readonly is: "PageMaps";
+  readonly maps: readonly (Map)[];
+  readonly over: string;
+}
+
+export interface Map {
+  readonly is: "Map";
+  readonly title: string;
+  readonly unit: string;
+  readonly across: Numbers;
+  readonly up: Numbers;
+  readonly values: Numbers;
+  readonly up_unit: string;
+  readonly upward: string;
+  readonly marks: readonly (Mark)[];
 }
 
 export interface PagePolars {
@@ -303,7 +321,6 @@ export interface PageTrust {
   readonly is: "PageTrust";
   readonly to_mind: readonly (string)[];
   readonly checks: readonly (PageCheck)[];
-  readonly offers: readonly (PageOffer)[];
 }
 
 export interface PageCheck {
@@ -311,12 +328,6 @@ export interface PageCheck {
   readonly sentence: string;
   readonly verdict: string;
   readonly holds: boolean | null;
-}
-
-export interface PageOffer {
-  readonly is: "PageOffer";
-  readonly key: string;
-  readonly words: string;
 }
 
 export interface MachineDrawing {
@@ -478,6 +489,42 @@ export interface CaseWords {
   readonly open: string;
   readonly more: string;
   readonly broken_link: string;
+  readonly design: DesignWords;
+}
+
+export interface DesignWords {
+  readonly is: "DesignWords";
+  readonly title: string;
+  readonly varied: string;
+  readonly second: string;
+  readonly nothing: string;
+  readonly start: string;
+  readonly end: string;
+  readonly count: string;
+  readonly wanted: string;
+  readonly compute: string;
+  readonly cancel: string;
+  readonly hint: string;
+  readonly numbers: string;
+}
+
+export interface PageGoingOn {
+  readonly is: "PageGoingOn";
+  readonly trust: PageTrust;
+  readonly offers: readonly (PageOffer)[];
+  readonly facts: readonly (FactName)[];
+}
+
+export interface PageOffer {
+  readonly is: "PageOffer";
+  readonly key: string;
+  readonly words: string;
+}
+
+export interface FactName {
+  readonly is: "FactName";
+  readonly name: string;
+  readonly title: string;
 }
 
 export interface Gallery {
@@ -505,4 +552,30 @@ export interface GalleryWords {
   readonly open: string;
   readonly close: string;
   readonly none: string;
+}
+
+export interface SweptDesignsOfPage {
+  readonly is: "SweptDesignsOfPage";
+  readonly varied: readonly (SweptValues)[];
+  readonly facts: readonly (SweptFact)[];
+  readonly sheet: PageSheet;
+  readonly minded: readonly (string)[];
+}
+
+export interface SweptValues {
+  readonly is: "SweptValues";
+  readonly path: string;
+  readonly name: string;
+  readonly texts: readonly (string)[];
+  readonly numbers: Numbers | null;
+  readonly unit: string;
+}
+
+export interface SweptFact {
+  readonly is: "SweptFact";
+  readonly name: string;
+  readonly title: string;
+  readonly of: string;
+  readonly unit: string;
+  readonly values: Numbers;
 }

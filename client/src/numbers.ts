@@ -122,3 +122,15 @@ export function figures(value: number, largest: number): string {
 }
 
 const signed = (text: string): string => (/^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace("-", "−"));
+
+/** A number of the file with its unit, as it is typed. */
+export interface Typed {
+  readonly number: number;
+  readonly unit: string;
+}
+
+/** Take a text apart; nothing where it begins with no number. */
+export function typed(text: string): Typed | null {
+  const found = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/.exec(text);
+  return found?.[1] === undefined ? null : { number: Number(found[1]), unit: found[2]?.trim() ?? "" };
+}

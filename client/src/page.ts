@@ -30,6 +30,14 @@ export interface Source {
   readonly trust: () => Promise<PageTrust>;
 }
 
+/** A tab that is not asked for: it makes what stands on it itself. */
+export interface OwnTab {
+  readonly name: string;
+  readonly title: string;
+  readonly element: HTMLElement;
+  readonly fit: () => void;
+}
+
 /** A machine on a page; another, or the same with other numbers, takes its place where it stands. */
 export class MachinePage {
   readonly turning: Turning;
@@ -57,12 +65,15 @@ export class MachinePage {
   /** Time that the address asked for. [s] */
   private asked = NaN;
   private page: ShownMachine;
+  private own: readonly OwnTab[];
+  private readonly ownPanel = html("div", { class: "sheets", role: "tabpanel", hidden: "" });
   private source: Source | undefined;
   private contents = new Map<string, TabContent | null>();
   private trust: PageTrust | null = null;
 
-  constructor(page: ShownMachine, into: HTMLElement, address: Address, colours: Colours, source?: Source) {
+  constructor(page: ShownMachine, into: HTMLElement, address: Address, colours: Colours, source?: Source, own: readonly OwnTab[] = []) {
     this.page = page;
+    this.own = own;
     this.address = address;
     this.colours = colours;
     this.mechanism = new Mechanism(page.drawing, page.words.drawing);
@@ -78,7 +89,7 @@ export class MachinePage {
       this.choose(this.chosen);
     });
     this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
-    const right = html("section", { class: "right" }, this.toMind, this.panel);
+    const right = html("section", { class: "right" }, this.toMind, this.panel, this.ownPanel);
     this.columns = html(
       "div", { class: "columns" },
       html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.vectors.element, this.ghosts), this.controls.keys, this.leftOut),
@@ -94,9 +105,9 @@ export class MachinePage {
     new ResizeObserver(() => {
       if (right.clientWidth === width) return;
       width = right.clientWidth;
-      this.sheets.fit();
+      this.fit();
     }).observe(right);
-    colours.follow(() => { this.sheets.fit(); });
+    colours.follow(() => { this.fit(); });
     const { angle, time } = address.place;
     this.asked = time;
     this.turning.stand(Number.isNaN(angle) ? 0 : angle);
@@ -105,7 +116,8 @@ export class MachinePage {
   }
 
   /** Show a machine in place of what is shown; its tab, its crank angle and all that stays the same stay. */
-  take(page: ShownMachine, source?: Source): void {
+  take(page: ShownMachine, source?: Source, own: readonly OwnTab[] = []): void {
+    this.own = own;
     const { drawing, words } = this.page;
     if (!same([drawing, words.drawing], [page.drawing, page.words.drawing])) this.mechanism = new Mechanism(page.drawing, page.words.drawing);
     this.fill(page, source);
@@ -120,7 +132,7 @@ export class MachinePage {
     this.colours.take(words);
     write(this.title, title);
     write(this.made, made);
-    this.fillTabs(page.tabs);
+    this.fillTabs();
     this.turning.cycle = number(page.cycle);
     this.controls.take(this.cursor, words);
     write(this.differ, words.differences);
@@ -140,16 +152,27 @@ export class MachinePage {
   }
 
   /** Show a tab, as soon as it is there. */
-  private choose(tab: PageTab | undefined): void {
+  private choose(tab: PageTab | OwnTab | undefined): void {
     if (!tab) return;
     const { name } = tab;
+    const own = "element" in tab ? tab : null;
+    const panel = own ? this.ownPanel : this.panel;
     for (const button of this.buttons) {
       const isChosen = button.value === name;
       button.setAttribute("aria-selected", `${isChosen}`);
       button.tabIndex = isChosen ? 0 : -1;
-      if (isChosen) this.panel.setAttribute("aria-labelledby", button.id);
+      if (isChosen) panel.setAttribute("aria-labelledby", button.id);
     }
     this.keep(name);
+    this.panel.hidden = own !== null;
+    this.ownPanel.hidden = own === null;
+    if (own) {
+      if (this.ownPanel.firstChild !== own.element) this.ownPanel.replaceChildren(own.element);
+      own.fit();
+      const first = this.page.tabs.find((one) => one.content);
+      if (first?.content) this.show(first.content);
+      return;
+    }
     const content = this.contents.get(name);
     this.panel.classList.toggle("computing", !content);
     if (content) {
@@ -236,9 +259,19 @@ export class MachinePage {
   }
 
   /** The tab that the address names, or the first. */
-  private get chosen(): PageTab | undefined {
+  private get chosen(): PageTab | OwnTab | undefined {
     const { tab } = this.address.place;
-    return this.page.tabs.find((one) => one.name === tab) ?? this.page.tabs[0];
+    return this.all.find((one) => one.name === tab) ?? this.page.tabs[0];
+  }
+
+  /** All tabs in their order. */
+  private get all(): readonly (PageTab | OwnTab)[] {
+    return [...this.page.tabs, ...this.own];
+  }
+
+  private fit(): void {
+    this.sheets.fit();
+    for (const one of this.own) one.fit();
   }
 
   /** Whether curves are to be shown as differences from a saved case. */
@@ -250,11 +283,12 @@ export class MachinePage {
     return [...this.tabs.querySelectorAll("button")];
   }
 
-  private fillTabs(tabs: readonly PageTab[]): void {
+  private fillTabs(): void {
+    const tabs = this.all;
     if (same(this.buttons.map((one) => [one.value, one.title]), tabs.map((one) => [one.name, one.title]))) return;
     const made = tabs.map((tab, place) => {
       const button = html("button", { type: "button", role: "tab", id: `tab-${place}`, value: tab.name, title: tab.title }, said(tab.title));
-      button.addEventListener("click", () => { this.choose(this.page.tabs.find((one) => one.name === tab.name)); });
+      button.addEventListener("click", () => { this.choose(this.all.find((one) => one.name === tab.name)); });
       return button;
     });
     this.tabs.replaceChildren(...made);
@@ -269,7 +303,7 @@ export class MachinePage {
     const { buttons } = this;
     const now = buttons.findIndex((one) => one.tabIndex === 0);
     const next = (now + by + buttons.length) % buttons.length;
-    this.choose(this.page.tabs[next]);
+    this.choose(this.all[next]);
     buttons[next]?.focus();
   }
 }

@@ -4,6 +4,7 @@ import { lineSample, ShownCurves, type Shown } from "./curves.ts";
 import type { PageSheet, Ruler, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { events, strip } from "./events.ts";
+import { maps } from "./maps.ts";
 import { number, same } from "./numbers.ts";
 import { bars, polars, shapes, stars, wear } from "./plane.ts";
 import { table } from "./tables.ts";
@@ -129,6 +130,8 @@ function drawn(part: Part, numbers: string, turned: Turned, unit: string): Shown
   switch (part.is) {
     case "PageCurves":
       return new ShownCurves(part, numbers, turned, unit);
+    case "PageMaps":
+      return maps(part, () => undefined, null);
     case "PageEvents":
       return events(part, turned);
     case "EventStrip":

@@ -219,6 +219,12 @@ class Map:
     marks: tuple[Mark, ...] = ()
 
 
+def map_as_shown(shown: Map) -> Map:
+    """Give a map with its values in the unit in which they are shown, and the label of that."""
+    scale = scale_of(shown.unit, peak(shown.values))
+    return replace(shown, unit=scale.label, values=scale.of(shown.values))
+
+
 def as_shown(panel: Panel) -> Panel:
     """Give a panel with all in the units in which they are shown, and the labels of these."""
     up = scale_of(panel.unit, panel.size)

@@ -13,8 +13,9 @@ from cranktrain.paths import parts_of
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.asked import MOST_KEPT, Case
+from cranktrain.web.going_on import page_going_on
 from cranktrain.web.packed import Packed, packed
-from cranktrain.web.page import ShownMachine, machine_page, page_trust, tab_content, tab_names
+from cranktrain.web.page import ShownMachine, machine_page, tab_content, tab_names
 
 _MOST_MECHANISMS = 200
 """Of a machine; a thousand take a gigabyte."""
@@ -52,6 +53,24 @@ class NumbersOfTable:
 
 
 @record
+class DesignWords:
+    """Words of a page's tab on which numbers are varied."""
+
+    title: Words
+    varied: Words
+    second: Words
+    nothing: Words
+    start: Words
+    end: Words
+    count: Words
+    wanted: Words
+    compute: Words
+    cancel: Words
+    hint: Words
+    numbers: Words
+
+
+@record
 class CaseWords:
     """Words of a page on which numbers may be changed."""
 
@@ -67,6 +86,7 @@ class CaseWords:
     open: Words
     more: Words
     broken_link: Words
+    design: DesignWords
 
 
 @record
@@ -119,10 +139,10 @@ def packed_tab(case: Case, tab: str, beside: Case | None = None) -> Packed:
 
 
 def packed_trust(case: Case) -> Packed:
-    """Compute what is to be minded, and all checks, and pack them; as `packed_page`."""
+    """Compute what is to be minded, all checks, and how one may go on, and pack them; as `packed_page`."""
     file, result = _computed(case)
     with result.in_its_units():
-        return packed(page_trust(result, offered_tables(file)))
+        return packed(page_going_on(file, result))
 
 
 def file_text(case: Case, key: str = "") -> str:
@@ -194,6 +214,20 @@ def _case_words() -> CaseWords:
         open=_("Open a file"),
         more=_("Add to the file"),
         broken_link=_("The address has a machine that cannot be read"),
+        design=DesignWords(
+            title=_("Design"),
+            varied=_("Vary"),
+            second=_("and"),
+            nothing=_("nothing"),
+            start=_("from"),
+            end=_("to"),
+            count=_("values"),
+            wanted=_("Wanted"),
+            compute=_("Compute"),
+            cancel=_("Stop"),
+            hint=_("Click a point to load its design; the present one is marked."),
+            numbers=_("Numbers"),
+        ),
     )
 
 

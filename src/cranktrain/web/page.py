@@ -11,7 +11,6 @@ from cranktrain.analysis import Result
 from cranktrain.analysis.answer import answer_titles, rows_under
 from cranktrain.analysis.minded import to_mind
 from cranktrain.errors import InputError
-from cranktrain.io.offers import OfferedTable
 from cranktrain.io.title import headed
 from cranktrain.language import Words, _
 from cranktrain.layout.question import Question
@@ -71,23 +70,11 @@ class PageCheck:
 
 
 @record
-class PageOffer:
-    """A table that a machine file may have, too: its name in the file, and what is there with it."""
-
-    key: str
-    words: Words
-
-
-@record
 class PageTrust:
-    """What is to be minded of a machine, its checks, and what its file may have, too.
-
-    For the checks everything has to be computed.
-    """
+    """What is to be minded of a machine, and its checks: of these everything has to be computed."""
 
     to_mind: tuple[Words, ...]
     checks: tuple[PageCheck, ...]
-    offers: tuple[PageOffer, ...]
 
 
 @record
@@ -225,14 +212,13 @@ def tab_content(result: Result, title: str, saved: Result | None = None) -> TabC
     )
 
 
-def page_trust(result: Result, offered: Sequence[OfferedTable] = ()) -> PageTrust:
-    """Collect what is to be minded, how checks came out, and which tables the file may have, too."""
+def page_trust(result: Result) -> PageTrust:
+    """Collect what is to be minded, and how checks came out."""
     checks = (
         PageCheck(check.sentence, check.verdict(), bool(check.passed[0]) if check.judged[0] else None)
         for check in result.checks
     )
-    offers = tuple(PageOffer(table.key, table.words) for table in offered)
-    return PageTrust(tuple(sentence for of_sort in to_mind(result) for sentence in of_sort), tuple(checks), offers)
+    return PageTrust(tuple(sentence for of_sort in to_mind(result) for sentence in of_sort), tuple(checks))
 
 
 def _questions(result: Result, title: str) -> list[Question]:

@@ -21,7 +21,7 @@ from cranktrain.panels.parts import (
     WearCircles,
     column_texts,
 )
-from cranktrain.panels.shapes import Bars, Panel, PolarDiagram, Rays, as_shown
+from cranktrain.panels.shapes import Bars, Map, Panel, PolarDiagram, Rays, as_shown
 from cranktrain.record import record
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.saying.wording import plain
@@ -74,6 +74,14 @@ class PageWear:
     rows: tuple[tuple[Rays, ...], ...]
     most: float
     words: Words
+
+
+@record
+class PageMaps:
+    """Maps over the same two numbers, as they are shown, and what is written along the first."""
+
+    maps: tuple[Map, ...]
+    over: Words
 
 
 @record
@@ -139,6 +147,7 @@ class EventStrip:
 
 PagePart: TypeAlias = (
     PageCurves
+    | PageMaps
     | PagePolars
     | Bars
     | Stars

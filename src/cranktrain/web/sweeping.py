@@ -1,11 +1,17 @@
 """A sweep as other programs take it: what is varied, and facts over it as arrays."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from math import prod
+
+import numpy as np
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.language import Words, _
 from cranktrain.motion import Array
+from cranktrain.panels.parts import Notes, Stack
+from cranktrain.panels.shapes import Map, Panel, map_as_shown
+from cranktrain.panels.swept import plot_of_sweep
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.saying.scales import in_asked_unit
@@ -17,6 +23,8 @@ from cranktrain.study.sweep.varied import n_values
 from cranktrain.web.asked import HowFar, SweepQuestion
 from cranktrain.web.case import machine_file_of
 from cranktrain.web.packed import Packed, packed
+from cranktrain.web.parts import PageMaps, page_curves
+from cranktrain.web.tabs import PageSheet
 
 _MOST_DESIGNS = 10_000
 """Of one sweep."""
@@ -69,10 +77,11 @@ class SweptFact:
 
 @record
 class SweptDesignsOfPage:
-    """A sweep: what is varied, facts, and what is to be minded of them."""
+    """A sweep: what is varied, facts, how they are drawn, and what is to be minded of them."""
 
     varied: tuple[SweptValues, ...]
     facts: tuple[SweptFact, ...]
+    sheet: PageSheet
     minded: tuple[Words, ...]
 
 
@@ -127,4 +136,25 @@ def _columns(found: Sweep) -> SweptDesignsOfPage:
             unit, values = in_asked_unit(entry.unit, own, entry.shown)
             facts.append(SweptFact(name, said_name(name), of, unit, values))
     minded = tuple(words for head, words in found.about() if head == "minded")
-    return SweptDesignsOfPage(varied, tuple(facts), minded)
+    return SweptDesignsOfPage(varied, tuple(facts), _sheet(found), minded)
+
+
+def _whole(panel: Panel) -> Panel:
+    """Give a panel that is drawn from its first design to its last."""
+    return replace(panel, reach=(float(np.min(panel.across)), float(np.max(panel.across))))
+
+
+def _sheet(found: Sweep) -> PageSheet:
+    """Draw a sweep: curves over one number, maps over two."""
+    try:
+        plot = plot_of_sweep(found)
+    except InputError as error:  # words alone are varied
+        return PageSheet("", ((Notes(tuple(str(problem) for problem in error.problems)),),))
+    maps = tuple(one for one in plot.panels if isinstance(one, Map))
+    panels = tuple(one for one in plot.panels if isinstance(one, Panel))
+    drawn = (
+        PageMaps(tuple(map(map_as_shown, maps)), plot.over)
+        if maps
+        else page_curves(Stack(tuple(map(_whole, panels))), plot.over)
+    )
+    return PageSheet("", ((drawn, *([Notes((plot.note,))] if plot.note else [])),))

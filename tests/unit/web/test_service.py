@@ -48,7 +48,8 @@ def test_only_the_open_tab_has_its_content_and_others_come_when_they_are_asked_f
     assert data["machine"]["trust"] is None
     whole, _numbers = opened(client.post("/api/tab", json={"machine": "3d12", "tab": tabs[-1]["name"]}))
     assert whole["answer"]["title"] == "Main bearings"
-    trust, _numbers = opened(client.post("/api/trust", json={"machine": "3d12"}))
+    going_on, _numbers = opened(client.post("/api/trust", json={"machine": "3d12"}))
+    trust = going_on["trust"]
     assert len(trust["checks"]) == len(ct.run("3d12").checks)
     assert any("[masses.crank]" in sentence for sentence in trust["to_mind"])
     first, _numbers = opened(client.post("/api/case", json={"machine": "3d12", "tab": "Nothing"}))

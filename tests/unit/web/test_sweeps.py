@@ -7,6 +7,7 @@ import numpy as np
 import psutil
 import pytest
 from fastapi.testclient import TestClient
+from tests.apart import finished
 from tests.odd_questions import Fatal, Hanging
 from tests.packed_answers import opened
 
@@ -148,7 +149,7 @@ def with_sweeps(do, **limits):
             await sweeps.stop()
 
     before = set(psutil.Process().children())
-    found = asyncio.run(all_of_it())
+    found = finished(all_of_it())
     assert set(psutil.Process().children()) == before
     return found
 

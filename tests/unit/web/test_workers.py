@@ -3,10 +3,10 @@
 import asyncio
 import json
 import time
-from concurrent.futures import ThreadPoolExecutor
 
 import psutil
 import pytest
+from tests.apart import finished
 from tests.odd_questions import Fatal, Faulty, Hanging, Leaving, Naming
 
 from cranktrain.web.asked import Case, PageQuestion, SentMachine
@@ -16,12 +16,6 @@ SMALL = '[mechanism]\nkind = "slider_crank"\ncrank_radius = "50 mm"\nrod_length 
 QUESTION = PageQuestion(Case(SentMachine(SMALL), ("mechanism.rod_length=140 mm",)), "page")
 SOON = 60.0
 """A process that begins anew answers sooner even on a busy computer. [s]"""
-
-
-def finished(coroutine):
-    """Run a coroutine to its end, in a thread that has no loop: a browser's tests leave theirs in this one."""
-    with ThreadPoolExecutor(1) as pool:
-        return pool.submit(asyncio.run, coroutine).result()
 
 
 def with_workers(do, n_at_once=1, **limits):
