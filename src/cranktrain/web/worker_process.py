@@ -7,6 +7,7 @@ import sys
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
+from time import monotonic
 from typing import Any
 
 from cranktrain.web.asked import MOST_KEPT, Case, HowFar, PageQuestion, Reply, SweepQuestion
@@ -29,6 +30,7 @@ class WorkerProcess:
     def __init__(self) -> None:
         self.cases: deque[Case | None] = deque(maxlen=MOST_KEPT)
         self._process: asyncio.subprocess.Process | None = None
+        self._since = 0.0
 
     async def reply(self, question: PageQuestion | SweepQuestion, heard: Callable[[HowFar], None] = _unheard) -> Reply:
         """Have a question answered, and hear how far that is; one that ends meanwhile is one of `GONE`."""
@@ -38,6 +40,7 @@ class WorkerProcess:
         with suppress(ValueError):
             self.cases.remove(question.case)
         self.cases.append(question.case)
+        self._since = monotonic()
         self._process.stdin.write(framed(question))
         await self._process.stdin.drain()
         while True:
@@ -47,6 +50,11 @@ class WorkerProcess:
             if isinstance(found, Reply):
                 return found
             heard(found)
+
+    @property
+    def has_taken(self) -> float:
+        """How long it has been at what it was asked last. [s]"""
+        return monotonic() - self._since
 
     async def start(self) -> None:
         """Begin, or begin anew; it is ready for questions at once, and answers when it has imported what it needs."""

@@ -71,7 +71,7 @@ class Workers:
         self._all: list[WorkerProcess] = []
         self._idle: list[WorkerProcess] = []
         """Those that were at work last stand last: what they have is still at hand."""
-        self._waiting: deque[asyncio.Future[WorkerProcess]] = deque()
+        self._waiting: deque[asyncio.Future[WorkerProcess | None]] = deque()
         self._going: set[asyncio.Future[Any]] = set()
         self._is_over = False
 
@@ -86,9 +86,8 @@ class Workers:
     async def stop(self) -> None:
         """End all; whoever waits is said so."""
         self._is_over = True
-        for turn in self._waiting:
-            turn.set_exception(ConnectionAbortedError())
-        self._waiting.clear()
+        while self._waiting:
+            self._waiting.popleft().set_result(None)
         await asyncio.gather(*(worker.end() for worker in self._all))
         await asyncio.gather(*self._going, return_exceptions=True)
         self._all, self._idle = [], []
@@ -102,9 +101,7 @@ class Workers:
                 worker = await self._free_worker(question.case)
         except TimeoutError:
             return too_much_to_do()
-        except ConnectionAbortedError:
-            return _ended()
-        if self._is_over:
+        if worker is None or self._is_over:
             return _ended()
         going = self._apart(self._computed(worker, question))
         try:
@@ -147,35 +144,37 @@ class Workers:
             with suppress(OSError):
                 await worker.start()
 
-    async def _free_worker(self, case: Case | None) -> WorkerProcess:
-        """Find a process that is free, best one that has the machine; wait for one that will be, but not for long."""
+    async def _free_worker(self, case: Case | None) -> WorkerProcess | None:
+        """Find a process that is free, best one that has the machine, or wait for one; None where all has ended.
+
+        Where each is at a long question, another one is started: who asks a short one does not wait for these.
+        """
         if self._idle:
             worker = next((one for one in self._idle if case in one.cases), self._idle[-1])
             self._idle.remove(worker)
             return worker
-        turn: asyncio.Future[WorkerProcess] = asyncio.get_running_loop().create_future()
+        turn: asyncio.Future[WorkerProcess | None] = asyncio.get_running_loop().create_future()
         self._waiting.append(turn)
         try:
-            found, _late = await asyncio.wait((turn,), timeout=_PATIENCE)
-            if not found and len(self._all) < 2 * self.n_at_once:
-                self._waiting.remove(turn)
-                self._all.append(WorkerProcess())
-                return self._all[-1]
-            return await turn
+            while not (await asyncio.wait((turn,), timeout=_PATIENCE))[0]:
+                are_long = all(one.has_taken > _PATIENCE for one in self._all)
+                if are_long and len(self._all) < 2 * self.n_at_once:
+                    self._all.append(WorkerProcess())
+                    self._waiting.remove(turn)
+                    return self._all[-1]
+            return turn.result()
         except asyncio.CancelledError:
-            if turn.done() and not turn.cancelled():
-                self._give_back(turn.result())
-            elif turn in self._waiting:
+            if not turn.done():
                 self._waiting.remove(turn)
+            elif worker := turn.result():
+                self._give_back(worker)
             raise
 
     def _give_back(self, worker: WorkerProcess) -> None:
         """Hand a process on to whoever waits longest, or keep it; of more than there were at first, end it."""
-        while self._waiting:
-            turn = self._waiting.popleft()
-            if not turn.done():
-                turn.set_result(worker)
-                return
+        if self._waiting:
+            self._waiting.popleft().set_result(worker)
+            return
         if len(self._all) > self.n_at_once:
             self._all.remove(worker)
             self._going.add(ending := asyncio.ensure_future(worker.end()))
