@@ -10,7 +10,7 @@ from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 import numpy as np
 
 from cranktrain.language import Said
-from cranktrain.web.case import PageCase
+from cranktrain.web.case import PageCase, PageHandles
 from cranktrain.web.gallery import Gallery
 from cranktrain.web.going_on import PageGoingOn
 from cranktrain.web.sweeping import SweptDesignsOfPage
@@ -73,7 +73,7 @@ class Types:
 def types_text() -> str:
     """Give all of them."""
     types = Types()
-    for kind in (PageCase, PageGoingOn, Gallery, SweptDesignsOfPage):
+    for kind in (PageCase, PageHandles, PageGoingOn, Gallery, SweptDesignsOfPage):
         types.interface(kind)
     return "\n".join([HEAD, *types.written.values()])
 

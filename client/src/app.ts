@@ -8,11 +8,12 @@ import { Address, type Asked, askedIn, last } from "./address.ts";
 import { ask, opened, Refused } from "./asking.ts";
 import { Bar } from "./bar.ts";
 import { Colours } from "./colours.ts";
-import type { Gallery, PageCase, PageGoingOn, PageOffer, TabContent } from "./data.ts";
+import type { Gallery, PageCase, PageGoingOn, PageHandles, PageOffer, TabContent } from "./data.ts";
 import { DesignTab } from "./design.ts";
 import { html } from "./elements.ts";
-import { Form, type Problem } from "./form.ts";
+import { Form, sentence, type Problem } from "./form.ts";
 import { GalleryDialog } from "./gallery.ts";
+import type { Editing } from "./handles.ts";
 import { MachinePage, type Source } from "./page.ts";
 import { sentOf } from "./sent.ts";
 import { Steps } from "./steps.ts";
@@ -45,6 +46,8 @@ class App {
   private page: MachinePage | null = null;
   private gallery: GalleryDialog | null = null;
   private asking = new AbortController();
+  /** Handles of what was asked for last. */
+  private handles: { readonly of: Asked; readonly found: PageHandles } | null = null;
 
   constructor(into: HTMLElement, file: string, examples: readonly string[], address: Address, asked: Asked) {
     this.address = address;
@@ -173,11 +176,37 @@ class App {
         this.design.offer(facts);
         return trust;
       },
+      editing: this.editing(found, asked, signal),
     };
     this.design.take(asked, found.tables, words.design);
     const own = [{ name: DESIGN, title: words.design.title, element: this.design.element, fit: () => { this.design.fit(); } }];
     if (this.page) this.page.take(found.machine, source, own);
     else this.page = new MachinePage(found.machine, this.view, this.address, this.colours, source, own);
+  }
+
+  /** How pins are moved on the drawing: first it is asked whether there is such a machine. */
+  private editing(shown: PageCase, asked: Asked, signal: AbortSignal): Editing {
+    const inputs = shown.tables.flatMap((table) => table.inputs);
+    return {
+      word: shown.words.move,
+      nameOf: (path) => inputs.find((one) => one.path === path)?.name ?? path,
+      handles: async () => (this.handles?.of === asked ? this.handles.found : ((await this.more("api/handles", asked, signal)) as PageHandles)),
+      change: async (texts, isNext) => {
+        const next = { ...asked, settings: new Map([...asked.settings, ...texts]) };
+        try {
+          const found = (await opened(await ask("api/handles", next))) as PageHandles;
+          if (found.open.length) return found.open[0] as string;
+          this.handles = { of: next, found };
+        } catch (error) {
+          if (!(error instanceof Refused)) return String(error);
+          return sentence(error.problems.find((one) => one.path !== "") ?? (error.problems[0] as Problem));
+        }
+        if (isNext) this.steps.change(next);
+        else this.steps.add(next);
+        await this.show();
+        return "";
+      },
+    };
   }
 
   /** Ask for more of what is shown; of what is shown no longer nothing comes. */

@@ -490,6 +490,7 @@ export interface CaseWords {
   readonly more: string;
   readonly broken_link: string;
   readonly design: DesignWords;
+  readonly move: string;
 }
 
 export interface DesignWords {
@@ -506,6 +507,28 @@ export interface DesignWords {
   readonly cancel: string;
   readonly hint: string;
   readonly numbers: string;
+}
+
+export interface PageHandles {
+  readonly is: "PageHandles";
+  readonly handles: readonly (DrawnHandle)[];
+  readonly open: readonly (string)[];
+}
+
+export interface DrawnHandle {
+  readonly is: "DrawnHandle";
+  readonly mechanism: string;
+  readonly pin: string;
+  readonly numbers: readonly (HandledNumber)[];
+}
+
+export interface HandledNumber {
+  readonly is: "HandledNumber";
+  readonly paths: readonly (string)[];
+  readonly number: Float;
+  readonly unit: string;
+  readonly step: Float;
+  readonly slope: Numbers;
 }
 
 export interface PageGoingOn {

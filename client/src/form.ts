@@ -99,7 +99,8 @@ export function stepOf(text: string, by: number): string {
   return text.replace(found[1], (Number(found[1]) + by).toFixed(decimals));
 }
 
-function sentence(problem: Problem): string {
+/** Say a problem. */
+export function sentence(problem: Problem): string {
   const said = problem.given === null ? problem.allowed : `${problem.given}: ${problem.allowed}`;
   return problem.repair === null ? said : `${said}; ${problem.repair}`;
 }

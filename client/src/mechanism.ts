@@ -1,6 +1,6 @@
 // A mechanism to scale: what stands still is drawn once, what moves is turned and shifted.
 
-import type { LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing, PinVector, PinVectors } from "./data.ts";
+import type { DrawnHandle, LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing, PinVector, PinVectors } from "./data.ts";
 import { picture, svg } from "./elements.ts";
 import { at, between, extent, number, row } from "./numbers.ts";
 import { barbs, xy, type Point } from "./points.ts";
@@ -24,6 +24,9 @@ const CLEARANCE = 0.02;
 const RING = 1.6;
 const ABOUT_RING = 1.9;
 
+/** Of a pin that may be moved. */
+const RING_OF_HANDLE = 10;
+
 /** From where to where the arrow of turning goes along the ring, from its zero. [rad] */
 const TURNING = [2.2, 2.9] as const;
 
@@ -31,6 +34,12 @@ const LESS = 1e-9;
 
 /** What moves: shown at the crank angles of the drawing, or between them. */
 type Moving = (angle: number) => void;
+
+/** How a drawing lies: units of the picture for a metre, and its box. */
+export interface View {
+  readonly scale: number;
+  readonly box: readonly [number, number, number, number];
+}
 
 /** A machine's drawing, which is shown at a crank angle. */
 export class Mechanism {
@@ -41,29 +50,26 @@ export class Mechanism {
   private readonly moving: Moving[] = [];
   private readonly edges: Edges;
   private readonly ghosts = svg("g", { class: "ghost" });
+  private readonly old = svg("g", { class: "ghost old" });
   private readonly layer = svg("g", {});
+  private readonly held = svg("g", {});
+  private rings: { readonly ring: SVGElement; readonly one: DrawnHandle }[] = [];
   private vectors: DrawnVectors | null = null;
   private shown = 0;
+  readonly view: View;
   private readonly scale: number;
   private readonly shifts: ReadonlyMap<string, Point>;
 
-  constructor(drawing: MachineDrawing, label: string) {
+  constructor(drawing: MachineDrawing, label: string, held?: View) {
     this.drawing = drawing;
     this.cycle = at(drawing.crank_angle, drawing.crank_angle.values.length - 1);
     this.shifts = brokenShifts(drawing);
-    const bounds = this.bounds();
-    const width = bounds.right - bounds.left;
-    const height = bounds.top - bounds.bottom;
-    this.scale = (LONG - 2 * MARGIN) / Math.max(width, height, LESS);
-    const box: readonly [number, number, number, number] = [
-      bounds.left * this.scale - MARGIN,
-      -bounds.top * this.scale - MARGIN,
-      width * this.scale + 2 * MARGIN,
-      height * this.scale + 2 * MARGIN + (width * this.scale + 2 * MARGIN < NARROW ? SCALE_ROW : 0),
-    ];
+    this.view = held ?? this.fitting();
+    const { box, scale } = this.view;
+    this.scale = scale;
     this.element = picture("mechanism", box, svg("title", {}, label));
     const layer = (): SVGGElement => this.element.appendChild(svg("g"));
-    this.element.append(this.ghosts);
+    this.element.append(this.ghosts, this.old);
     const [still, paths, bodies, links, standing, pins, loads] = [layer(), layer(), layer(), layer(), layer(), layer(), layer()];
     for (const shaft of drawing.shafts) this.ring(shaft.name, still);
     for (const one of drawing.mechanisms) {
@@ -77,8 +83,18 @@ export class Mechanism {
     for (const load of drawing.loads) this.load(load, loads);
     this.scaleBar(box, still);
     this.edges = { left: box[0], right: box[0] + box[2], top: box[1], bottom: box[1] + box[3] };
-    this.element.append(this.layer);
+    this.element.append(this.layer, this.held);
     this.show(0);
+  }
+
+  private fitting(): View {
+    const bounds = this.bounds();
+    const width = bounds.right - bounds.left;
+    const height = bounds.top - bounds.bottom;
+    const scale = (LONG - 2 * MARGIN) / Math.max(width, height, LESS);
+    const across = width * scale + 2 * MARGIN;
+    const strip = across < NARROW ? SCALE_ROW : 0;
+    return { scale, box: [bounds.left * scale - MARGIN, -bounds.top * scale - MARGIN, across, height * scale + 2 * MARGIN + strip] };
   }
 
   /** Show it at a crank angle. [deg] */
@@ -86,6 +102,7 @@ export class Mechanism {
     const place = ((angle % this.cycle) + this.cycle) % this.cycle;
     for (const move of this.moving) move(place);
     this.vectors?.show(place);
+    this.showRings(place);
     this.shown = place;
   }
 
@@ -94,7 +111,8 @@ export class Mechanism {
     this.ghosts.replaceChildren(...Array.from(angles).flatMap((angle) => this.ghost(angle)));
   }
 
-  private ghost(angle: number): SVGElement[] {
+  /** Draw a ghost of it at a crank angle. [deg] */
+  ghost(angle: number): SVGElement[] {
     const bars = this.ownLinks().map(({ of, link }) => {
       const d = link.pins.map((name, place) => `${place ? "L" : "M"}${xy(this.pin(of, name, angle))}`).join("");
       return svg("path", { d });
@@ -109,13 +127,49 @@ export class Mechanism {
     return [...bars.filter((one) => !one.getAttribute("d")?.includes("NaN")), ...sliders];
   }
 
+  /** Show a ghost of what it was. */
+  showOld(old: readonly SVGElement[]): void {
+    this.old.replaceChildren(...old);
+  }
+
+  /** Show rings on pins that may be moved, and no others. */
+  showHandles(handles: readonly DrawnHandle[]): void {
+    this.rings = handles.map((one, place) => {
+      const ring = svg("circle", { class: "handle", r: RING_OF_HANDLE, "data-place": place }, svg("title", {}, `${one.mechanism} ${one.pin}`));
+      return { ring, one };
+    });
+    this.held.replaceChildren(...this.rings.map(({ ring }) => ring));
+    this.showRings(this.shown);
+  }
+
+  private showRings(angle: number): void {
+    for (const { ring, one } of this.rings) {
+      const pin = this.pinOf(one, angle);
+      ring.toggleAttribute("hidden", !Number.isFinite(pin.x));
+      if (Number.isFinite(pin.x)) ring.setAttribute("transform", `translate(${xy(pin)})`);
+    }
+  }
+
+  /** Where a pin of one of its mechanisms is. */
+  pinOf(one: { readonly mechanism: string; readonly pin: string }, angle: number): Point {
+    const of = this.drawing.mechanisms.find((other) => other.name === one.mechanism);
+    return of ? this.pin(of, one.pin, angle) : { x: NaN, y: NaN };
+  }
+
+  /** Where a point of the window is in the picture. */
+  place(x: number, y: number): Point {
+    const inverse = this.element.getScreenCTM()?.inverse();
+    return inverse ? new DOMPoint(x, y).matrixTransform(inverse) : { x: NaN, y: NaN };
+  }
+
+  /** A distance in the picture as one of the machine: to the right and up. [m] */
+  inMetres(by: Point): Point {
+    return { x: by.x / this.scale, y: -by.y / this.scale };
+  }
+
   /** Show vectors, and no others. */
   showVectors(sorts: readonly PinVectors[]): void {
-    const named = new Map(this.drawing.mechanisms.map((one) => [one.name, one]));
-    const pin = (one: PinVector, angle: number): Point => {
-      const of = named.get(one.mechanism);
-      return of ? this.pin(of, one.pin, angle) : { x: NaN, y: NaN };
-    };
+    const pin = (one: PinVector, angle: number): Point => this.pinOf(one, angle);
     this.vectors = new DrawnVectors(sorts, pin, this.cycle, this.edges);
     this.layer.replaceChildren(...this.vectors.elements);
     this.vectors.show(this.shown);
@@ -130,9 +184,8 @@ export class Mechanism {
   /** Crank angle toward which a point of the window lies from the first shaft. [deg] */
   directionOf(x: number, y: number): number {
     const shaft = this.drawing.shafts[0];
-    const inverse = this.element.getScreenCTM()?.inverse();
-    if (!shaft || !inverse) return NaN;
-    const point = new DOMPoint(x, y).matrixTransform(inverse);
+    if (!shaft) return NaN;
+    const point = this.place(x, y);
     const centre = this.point(at(shaft.centre, 0), at(shaft.centre, 1));
     return (number(shaft.sense) * Math.atan2(centre.y - point.y, point.x - centre.x) * 180) / Math.PI;
   }

@@ -6,6 +6,7 @@ import { Controls, type Cursor } from "./controls.ts";
 import { Passing } from "./course.ts";
 import type { PageCourse, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
+import { Handles, type Editing } from "./handles.ts";
 import { dragged, pressed } from "./hands.ts";
 import { Mechanism } from "./mechanism.ts";
 import { number, same } from "./numbers.ts";
@@ -28,6 +29,7 @@ const PAUSE = 250;
 export interface Source {
   readonly tab: (name: string) => Promise<TabContent>;
   readonly trust: () => Promise<PageTrust>;
+  readonly editing?: Editing;
 }
 
 /** A tab that is not asked for: it makes what stands on it itself. */
@@ -59,6 +61,7 @@ export class MachinePage {
   private readonly vectors = new VectorChoice((shown) => { this.mechanism.showVectors(this.passing ? [] : shown); }, (tab) => { this.load(tab); });
   private readonly panel: HTMLElement;
   private readonly ghosts = html("button", { type: "button", class: "choice", title: "G", "aria-pressed": "false" });
+  private readonly handles: Handles;
   private mechanism: Mechanism;
   /** Time that the open tab is over, if it is. */
   private passing: Passing | null = null;
@@ -78,6 +81,16 @@ export class MachinePage {
     this.colours = colours;
     this.mechanism = new Mechanism(page.drawing, page.words.drawing);
     this.turning = new Turning(number(page.cycle), () => { this.stand(); });
+    this.handles = new Handles({
+      stage: this.stage,
+      mechanism: () => this.mechanism,
+      angle: () => this.cursor.angle,
+      stop: () => { this.cursor.stop(); },
+      redraw: () => {
+        this.mechanism = new Mechanism(this.page.drawing, this.page.words.drawing);
+        this.fill(this.page, this.source);
+      },
+    });
     this.controls = new Controls(this.turning, page.words);
     this.sheets = new Sheets((place) => {
       this.cursor.stop();
@@ -92,7 +105,7 @@ export class MachinePage {
     const right = html("section", { class: "right" }, this.toMind, this.panel, this.ownPanel);
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.vectors.element, this.ghosts), this.controls.keys, this.leftOut),
+      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.vectors.element, this.ghosts, this.handles.button), this.controls.keys, this.leftOut),
       html("section", { class: "left" }, this.answers, this.checked),
       right,
     );
@@ -100,7 +113,7 @@ export class MachinePage {
     into.replaceChildren(this.head, this.tabs, this.columns);
     dragged(this.stage, () => this.mechanism, () => this.cursor);
     this.ghosts.addEventListener("click", () => { this.haunt(true); });
-    document.addEventListener("keydown", (event) => { pressed(event, this.cursor, { KeyG: () => { this.haunt(true); } }); });
+    document.addEventListener("keydown", (event) => { pressed(event, this.cursor, { KeyG: () => { this.haunt(true); }, KeyE: () => { this.handles.toggle(); } }); });
     let width = right.clientWidth;
     new ResizeObserver(() => {
       if (right.clientWidth === width) return;
@@ -119,7 +132,7 @@ export class MachinePage {
   take(page: ShownMachine, source?: Source, own: readonly OwnTab[] = []): void {
     this.own = own;
     const { drawing, words } = this.page;
-    if (!same([drawing, words.drawing], [page.drawing, page.words.drawing])) this.mechanism = new Mechanism(page.drawing, page.words.drawing);
+    if (!same([drawing, words.drawing], [page.drawing, page.words.drawing])) this.mechanism = new Mechanism(page.drawing, page.words.drawing, this.handles.view);
     this.fill(page, source);
   }
 
@@ -149,6 +162,7 @@ export class MachinePage {
       }, this.trust ? PAUSE : 0);
     }
     this.choose(this.chosen);
+    this.handles.take(source?.editing);
   }
 
   /** Show a tab, as soon as it is there. */

@@ -24,6 +24,11 @@ export class Steps {
     if (this.has(by)) this.place += by;
   }
 
+  /** Put another in the place of the one that is shown. */
+  change(asked: Asked): void {
+    this.all.splice(this.place, Infinity, asked);
+  }
+
   add(asked: Asked): void {
     this.all.splice(this.place + 1, Infinity, asked);
     this.place += 1;

@@ -259,6 +259,30 @@ class TestKind:
         assert astern[:12] == pytest.approx([ahead[0], *ahead[11:0:-1]], rel=1e-9)
         assert astern != pytest.approx(ahead, rel=1e-3)
 
+    def test_its_pins_may_be_moved_by_the_numbers_that_it_says(self, package, typed, tmp_path):
+        text = typed("new", "swash_pump").partition("[cylinder]")[0].replace('# skew = "0 mm"', 'skew = "12 mm"')
+        (tmp_path / "pump.toml").write_text(text, encoding="utf-8")
+        found = subprocess.run(
+            [sys.executable, "-c", HANDLES],
+            env={**os.environ, "PYTHONPATH": str(package)},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert found.stdout.splitlines() == ["A mechanism.crank_radius", "B mechanism.rod_length mechanism.skew"], (
+            found.stderr
+        )
+
+
+HANDLES = """
+from cranktrain.io.machine_file import inputs_of, read_machine
+from cranktrain.panels.handles import drawn_handles
+from cranktrain.plans.placement import first_throw
+
+file = read_machine("pump.toml")
+for one in drawn_handles(file.machine, first_throw(file.machine), [one.path for one in inputs_of(file)]):
+    print(one.pin, *(path for number in one.numbers for path in number.paths))
+"""
 
 ENGINE = """
 [shaft.main]

@@ -233,3 +233,68 @@ def test_a_whole_edit_by_keys_alone(opened):
         tab_to(page, ".bar select", key="Shift+Tab")
     page.keyboard.type("jaw")
     page.locator("h1", has_text="jaw crusher").wait_for()
+
+
+def middle(page, pin):
+    box = page.locator(f".handle:has(title:text-is('{pin}'))").bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def pulled(page, pin, across, up):
+    """Take a pin by hand, pull it so many pixels, and wait; give by how much it is off then, and what is said."""
+    start = middle(page, pin)
+    page.mouse.move(*start)
+    page.mouse.down()
+    for part in (0.25, 0.5, 0.75, 1.0):
+        page.mouse.move(start[0] + part * across, start[1] - part * up)
+    page.locator(".moved:not([hidden])").wait_for()
+    page.wait_for_timeout(1500)
+    end = middle(page, pin)
+    return (end[0] - start[0] - across, end[1] - start[1] + up), page.locator(".moved").inner_text()
+
+
+def field(page, label):
+    return page.get_by_label(label, exact=True).first.input_value()
+
+
+def test_a_crank_pin_is_pulled_and_its_number_follows(opened):
+    """At the left bank's axis, upright on the page but for 30°; the old mechanism is a ghost until it is let go."""
+    page = opened("#machine=3d12&phi=0")
+    settled(page, "stroke", "180.0")
+    assert page.locator(".handle").count() == 0
+    page.keyboard.press("e")
+    page.locator(".handle").first.wait_for()
+    off, said = pulled(page, "1L A", -10.0, 17.3)
+    assert abs(off[0]) < 2.0 and abs(off[1]) < 2.0
+    stroke = field(page, "stroke")
+    assert re.fullmatch(r"\d+ mm", stroke)
+    assert float(stroke.split()[0]) > 190.0
+    assert said == f"stroke {stroke}"
+    assert page.locator(".mechanism .old > path").count() > 0
+    page.mouse.up()
+    page.locator(".moved").wait_for(state="hidden")
+    assert page.locator(".mechanism .old > path").count() == 0
+    page.locator("h1").click()
+    page.keyboard.press("Control+z")
+    settled(page, "stroke", "180.0")
+    assert page.get_by_role("button", name="Undo").is_disabled(), "all of a pull is one step"
+
+
+def test_a_pivot_s_pull_stops_where_there_is_no_such_machine(opened):
+    page = opened("#machine=jaw_crusher&phi=30")
+    page.locator("h1", has_text="jaw crusher").wait_for()
+    page.locator("button", has_text="Move pins").click()
+    page.locator(".handle").first.wait_for()
+    off, said = pulled(page, "1 A", 0.0, 300.0)
+    assert off[1] > 100.0
+    assert "✗" in said
+    page.mouse.up()
+    page.locator(".moved").wait_for(state="hidden")
+    radius = field(page, "crank radius")
+    assert re.fullmatch(r"[\d.]+ mm", radius)
+    off, said = pulled(page, "1 B", 0.0, -3.0)
+    page.mouse.up()
+    page.locator(".moved").wait_for(state="hidden")
+    lengths = field(page, "rod length"), field(page, "rocker length")
+    assert lengths != ("1085 mm", "455 mm")
+    assert all(re.fullmatch(r"[\d.]+ mm", one) for one in lengths)

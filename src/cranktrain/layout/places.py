@@ -1,6 +1,7 @@
 """Places: every mechanism of a machine, by name, with its axis, its throw and its geometry."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -151,6 +152,15 @@ def places_of(
             )
         )
     return (() if problems else tuple(places)), tuple(dict.fromkeys(problems))
+
+
+def with_table(place: PlacedMechanism, spec: MechanismSpec, places: Sequence[PlacedMechanism]) -> PlacedMechanism:
+    """Give a mechanism where it stands with another table; those that it may hang on are among some places."""
+    slot = replace(place, spec=spec)
+    metal = _Metal((slot, *places))
+    master = _master_of(slot, places, metal)
+    geometry = UNREAD if isinstance(master, Problem) else metal.geometry(slot, master, is_mirrored=place.sense < 0)
+    return replace(slot, geometry=geometry)
 
 
 class _Metal:

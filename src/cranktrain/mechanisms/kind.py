@@ -12,6 +12,7 @@ from cranktrain.folders import member_named
 from cranktrain.language import Words
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.mechanisms.dynamics import Dynamics
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, Handed
@@ -134,6 +135,8 @@ class Kind(Generic[Motion, Geometry]):
         Whether its crank is one of its own beside the throw, as an eccentric is, and not the throw itself.
     rows : tuple of callable (of, …) → rows
         What its own results say in the answer; see `Question`.
+    handles : tuple of Handle
+        Pins of the drawing by which its numbers may be changed.
     """
 
     name: str
@@ -170,6 +173,7 @@ class Kind(Generic[Motion, Geometry]):
     is_outlined: bool = False
     has_own_pin: bool = False
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
+    handles: tuple[Handle, ...] = ()
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[object, ...]]:
         """Give what finds it again by its name, and of what it is made."""

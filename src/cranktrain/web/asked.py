@@ -2,8 +2,9 @@
 
 from typing import Literal, NamedTuple, TypeAlias
 
-Part: TypeAlias = Literal["page", "tab", "trust", "file", "gallery"]
-"""A machine with one tab open, a tab, what is to be minded, the text of the machine file, or machines to begin with."""
+Part: TypeAlias = Literal["page", "tab", "trust", "handles", "file", "gallery"]
+"""A machine with one tab open, a tab, what is to be minded, handles of its drawing, the text of its file; machines to
+begin with."""
 
 MOST_KEPT = 4
 """Machines of which what was computed is kept for what the same page asks next."""

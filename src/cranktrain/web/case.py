@@ -9,7 +9,9 @@ from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of, 
 from cranktrain.io.offers import offered_tables, with_table
 from cranktrain.language import Words, _
 from cranktrain.one_line import one_line
+from cranktrain.panels.handles import DrawnHandle, drawn_handles
 from cranktrain.paths import parts_of
+from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.asked import MOST_KEPT, Case
@@ -87,6 +89,7 @@ class CaseWords:
     more: Words
     broken_link: Words
     design: DesignWords
+    move: Words
 
 
 @record
@@ -103,6 +106,21 @@ class PageCase:
     machine: ShownMachine
     tables: tuple[NumbersOfTable, ...]
     words: CaseWords
+
+
+@record
+class PageHandles:
+    """Pins of the drawing that may be moved.
+
+    Attributes
+    ----------
+    handles : tuple of DrawnHandle
+    open : tuple of Words
+        Where the links cannot close, and what would let them; none where they close all round.
+    """
+
+    handles: tuple[DrawnHandle, ...]
+    open: tuple[Words, ...]
 
 
 def packed_page(case: Case, tab: str, beside: Case | None = None) -> Packed:
@@ -143,6 +161,14 @@ def packed_trust(case: Case) -> Packed:
     file, result = _computed(case)
     with result.in_its_units():
         return packed(page_going_on(file, result))
+
+
+def packed_handles(case: Case) -> Packed:
+    """Find the pins of the drawing that may be moved, and pack them; as `packed_page`."""
+    file, _result = _computed(case)
+    places = first_throw(file.machine)
+    handles = drawn_handles(file.machine, places, [one.path for one in inputs_of(file)])
+    return packed(PageHandles(handles, tuple(problem.allowed for problem in file.machine.closing_problems)))
 
 
 def file_text(case: Case, key: str = "") -> str:
@@ -228,6 +254,7 @@ def _case_words() -> CaseWords:
             hint=_("Click a point to load its design; the present one is marked."),
             numbers=_("Numbers"),
         ),
+        move=_("Move pins"),
     )
 
 

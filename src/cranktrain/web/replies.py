@@ -6,7 +6,7 @@ from collections.abc import Callable
 from cranktrain.errors import InputError
 from cranktrain.language import _
 from cranktrain.web.asked import HowFar, PageQuestion, Reply, SweepQuestion
-from cranktrain.web.case import file_text, packed_page, packed_tab, packed_trust
+from cranktrain.web.case import file_text, packed_handles, packed_page, packed_tab, packed_trust
 from cranktrain.web.gallery import gallery
 from cranktrain.web.packed import packed
 from cranktrain.web.refusals import refusal_of, refused
@@ -49,4 +49,6 @@ def _content(question: PageQuestion) -> bytes:
         return packed(gallery()).content
     if part == "page":
         return packed_page(case, tab, beside).content
-    return (packed_tab(case, tab, beside) if part == "tab" else packed_trust(case)).content
+    if part == "tab":
+        return packed_tab(case, tab, beside).content
+    return (packed_trust(case) if part == "trust" else packed_handles(case)).content

@@ -123,6 +123,11 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
         """Give what is to be minded of a machine, and its checks: everything that it allows is computed for these."""
         return await answered(request, asked, "trust")
 
+    @app.post("/api/handles", **_NUMBERS)
+    async def _handles(request: Request, asked: CaseAsked) -> Response:
+        """Give the pins of the drawing that may be moved, and which numbers that changes."""
+        return await answered(request, asked, "handles")
+
     @app.post("/api/file", response_class=PlainTextResponse, responses=_REFUSED)
     async def _file(request: Request, asked: FileAsked) -> Response:
         """Give the machine file with the numbers in place, its comments where they were, and with another table."""

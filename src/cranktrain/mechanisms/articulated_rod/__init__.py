@@ -17,6 +17,7 @@ from cranktrain.mechanisms.articulated_rod.spec import (
     articulated_rod_advice,
     articulated_rod_geometry,
 )
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.mechanisms.output import PISTON
 
@@ -40,6 +41,7 @@ KIND = Kind(
     dynamics=DYNAMICS,
     is_slave=True,
     is_outlined=True,
+    handles=(Handle("C", ("knuckle_radius", "articulation_angle")), Handle("D", ("rod_length", "offset"))),
     speed="1500 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

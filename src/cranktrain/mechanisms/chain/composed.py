@@ -1,6 +1,6 @@
 """The kind that a chain is, from its structure."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial, reduce
 from typing import Any, TypeVar
@@ -30,6 +30,7 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.through import chain_change_points
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import ClosingPart, Geometry, Kind
 from cranktrain.mechanisms.output import PISTON, ROCKER, OutputPart
 from cranktrain.motion import Array
@@ -64,8 +65,30 @@ def fields_of(structure: Structure) -> dict[str, Any]:
     """What a kind says that depends on the chain's structure, where the file has the chain's numbers."""
     return {
         "closing_advice": partial(_closing_parts, structure),
+        "handles": tuple(_handles(structure)),
         **as_chain(structure, _as_it_is, dict(_length_places(structure))),
     }
+
+
+def _handles(structure: Structure) -> Iterator[Handle]:
+    """Give the pins by which a chain's numbers are changed: of cranks, fixed points and groups, but for triads."""
+    for name in structure.cranks:
+        yield Handle(pin_of(name), (f"crank.{name}.radius", f"crank.{name}.angle"))
+    for name in structure.fixed:
+        yield Handle(name, (f"fixed.{name}[0]", f"fixed.{name}[1]"))
+    for place, step in enumerate(structure.steps):
+        match step:
+            case PinStep():
+                pin, numbers = step.joint, ("rod.length", "rocker.length")
+            case SlideStep():
+                pin, numbers = pin_of(step.slider), ("rod.length", "guide.offset")
+            case YokeStep() | TrammelStep():
+                pin, numbers = pin_of(step.slider), ("guide.offset",)
+            case PointStep() | MountStep():
+                pin, numbers = step.point, ("along", "across")
+            case SwivelStep() | TriadStep():
+                continue
+        yield Handle(pin, tuple(f"part[{place}].{number}" for number in numbers))
 
 
 def _as_it_is(size: ChainSize) -> ChainSize:

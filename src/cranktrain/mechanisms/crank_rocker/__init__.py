@@ -23,6 +23,7 @@ from cranktrain.mechanisms.crank_rocker.spec import (
     crank_rocker_geometry,
 )
 from cranktrain.mechanisms.crank_rocker.through import apart, crank_rocker_through, in_line
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.mechanisms.output import ROCKER
 
@@ -66,6 +67,11 @@ KIND = Kind(
     rows=(transmission_rows,),
     dynamics=DYNAMICS,
     is_outlined=True,
+    handles=(
+        Handle("A", ("crank_radius",)),
+        Handle("B", ("rod_length", "rocker_length")),
+        Handle("C", ("ground_length",)),
+    ),
     speed="10 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

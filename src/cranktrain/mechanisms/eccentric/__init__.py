@@ -8,6 +8,7 @@ from cranktrain.mechanisms.dynamics import Dynamics
 from cranktrain.mechanisms.eccentric.drawing import eccentric_drawing
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric, eccentric_gap, eccentric_least_gap
 from cranktrain.mechanisms.eccentric.spec import EccentricSpec, eccentric_advice, eccentric_geometry
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.slider_crank.forces import DYNAMICS
@@ -35,6 +36,10 @@ KIND = Kind(
     members=Members,
     stages=(),
     has_own_pin=True,
+    handles=(
+        Handle("A", ("eccentricity", "angle_of_advance", "angle_ahead")),
+        Handle("B", ("rod_length", "offset")),
+    ),
     speed="90 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

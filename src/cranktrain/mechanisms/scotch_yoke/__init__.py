@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from cranktrain.language import N_
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import PISTON
 from cranktrain.mechanisms.scotch_yoke.drawing import scotch_yoke_drawing
@@ -29,6 +30,7 @@ KIND = Kind(
     members=Members,
     stages=(),
     dynamics=DYNAMICS,
+    handles=(Handle("A", ("crank_radius",)), Handle("B", ("offset",))),
     speed="600 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

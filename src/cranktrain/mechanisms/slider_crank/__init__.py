@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from cranktrain.language import N_
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import PISTON
 from cranktrain.mechanisms.slider_crank.drawing import slider_crank_drawing
@@ -15,6 +16,7 @@ from cranktrain.mechanisms.slider_crank.kinematics import (
     slider_crank_least_gap,
 )
 from cranktrain.mechanisms.slider_crank.spec import (
+    RODS,
     SliderCrankSpec,
     slider_crank_advice,
     slider_crank_geometry,
@@ -44,6 +46,7 @@ KIND = Kind(
     dynamics=DYNAMICS,
     direct_ratio=slider_crank_ratio,
     is_outlined=True,
+    handles=(Handle("A", ("crank_radius", "stroke")), Handle("B", (*RODS, "offset"))),
     speed="1500 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

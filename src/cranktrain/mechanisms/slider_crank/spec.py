@@ -16,7 +16,8 @@ from cranktrain.quantities import Dimension, Given, Length, PositiveLength, Posi
 from cranktrain.saying.wording import precise
 
 _CRANKS = ("crank_radius", "stroke")
-_RODS = ("rod_length", "crank_to_rod_ratio", "rod_to_crank_ratio")
+RODS = ("rod_length", "crank_to_rod_ratio", "rod_to_crank_ratio")
+"""Forms in which the rod may be given."""
 _PressureAngle = Annotated[Given, Quantity(Dimension.ANGLE, above=0.0, below=pi / 2)]
 
 
@@ -67,7 +68,7 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
 
     def _problems(self) -> Iterator[Problem]:
         """Find a crank or a rod that is given twice or not at all, and a stroke that no crank can make."""
-        wrong = [problem for names in (_CRANKS, _RODS) for problem in _not_once(self, names)]
+        wrong = [problem for names in (_CRANKS, RODS) for problem in _not_once(self, names)]
         yield from wrong
         with np.errstate(all="ignore"):
             if not wrong and self.stroke is not None and np.isnan(_radius_from_stroke(self)):
@@ -76,7 +77,7 @@ class SliderCrankSpec(MechanismSpec, frozen=True):
 
 def slider_crank_rod_field(spec: SliderCrankSpec, _geometry: SliderCrank) -> str:
     """Give whichever of the three forms gives the rod."""
-    return next(name for name in _RODS if getattr(spec, name) is not None)
+    return next(name for name in RODS if getattr(spec, name) is not None)
 
 
 def _stroke_limit(spec: SliderCrankSpec) -> Words:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from cranktrain.language import N_
 from cranktrain.linkage import crank_swivel_gap
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import ROCKER
 from cranktrain.mechanisms.rocking_guide import rocking_guide_geometry
@@ -31,6 +32,7 @@ KIND = Kind(
     members=Members,
     stages=(),
     dynamics=DYNAMICS,
+    handles=(Handle("A", ("crank_radius",)), Handle("C", ("ground_length",))),
     speed="30 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

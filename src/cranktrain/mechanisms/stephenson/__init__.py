@@ -7,6 +7,7 @@ from typing import Any
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import as_chain, kind_of_structure
 from cranktrain.mechanisms.chain.steps import Structure
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.stephenson.drawing import stephenson_drawing
@@ -56,6 +57,10 @@ KIND = Kind(
     structure_of=structure_of,
     of_structure=lambda structure: kind_of_structure(KIND, _fields, structure),
     **_fields(CURVED),
+    handles=(
+        Handle("ahead.pin", ("eccentricity", "angle_of_advance")),
+        Handle("reverse_shaft", ("reverse_shaft_x", "reverse_shaft_y")),
+    ),
     speed="180 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from cranktrain.language import N_
 from cranktrain.mechanisms.chain.composed import as_chain
+from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Walschaerts, walschaerts_size
@@ -41,6 +42,10 @@ KIND = Kind(
     members=Members,
     stages=(),
     **as_chain(STRUCTURE, walschaerts_size, _LENGTHS, slider=VALVE),
+    handles=(
+        Handle("return.pin", ("eccentricity", "eccentric_advance")),
+        Handle("trunnion", ("trunnion_x", "trunnion_y")),
+    ),
     speed="280 rpm",
     tables=Path(__file__).with_name("starting.toml"),
     example="""\

@@ -1,0 +1,210 @@
+"""Handles on a machine's drawing as data: how far a pin goes for a change of the numbers that say where it is."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import takewhile
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+
+from cranktrain.layout.places import PlacedMechanism, with_table
+from cranktrain.machine import Machine
+from cranktrain.mechanisms.handle import Handle
+from cranktrain.motion import Array
+from cranktrain.paths import PathParts, parts_of
+from cranktrain.plans.placement import placed
+from cranktrain.quantities import Given, shown
+from cranktrain.quantities.number import measured
+from cranktrain.record import record
+from cranktrain.spec import Spec
+
+HANDLE_STEP = 3.0
+"""Between crank angles at which slopes are known. [deg]"""
+
+_ANGLES = np.arange(0.0, 360.0 + HANDLE_STEP / 2, HANDLE_STEP)
+_MOST = 2
+"""Numbers that one pin changes: it has two coordinates."""
+_CHANGE = 1e-6
+"""Of a number, by which its slope is found, in parts of it or of 1."""
+_ALIKE = 1e-9
+"""Pins that are never farther apart are one. [m]"""
+_FINE, _FIGURES = 300.0, 50.0
+"""So many steps of a number, or some more, move a pin as far as the mechanism reaches, and are the number itself."""
+
+
+@record
+class HandledNumber:
+    """A number that a handle changes.
+
+    Attributes
+    ----------
+    paths : tuple of str
+        Where it stands in the file; several mechanisms on one pin have it in common.
+    number : float
+        As it is typed.
+    unit : str
+        What is typed behind it.
+    step : float
+        To which it is rounded, in its unit.
+    slope : Array, shape (2, n)
+        How far the pin goes for one of its unit, X and Y, at crank angles that stand evenly from 0 to a whole turn,
+        both included; NaN where the links cannot close. [m]
+    """
+
+    paths: tuple[str, ...]
+    number: float
+    unit: str
+    step: float
+    slope: Array
+
+
+@record
+class DrawnHandle:
+    """A pin that may be moved, and the one or two numbers that this changes."""
+
+    mechanism: str
+    pin: str
+    numbers: tuple[HandledNumber, ...]
+
+
+class _Held(NamedTuple):
+    """A pin of a mechanism, where it is over the turn, and what is typed of it, by path."""
+
+    place: PlacedMechanism
+    handle: Handle
+    at: Array
+    typed: Mapping[str, Given]
+
+
+def drawn_handles(
+    machine: Machine, places: Sequence[PlacedMechanism], declared: Sequence[str]
+) -> tuple[DrawnHandle, ...]:
+    """Give the handles of what is drawn.
+
+    Parameters
+    ----------
+    machine : Machine
+    places : sequence of PlacedMechanism
+    declared : sequence of str
+        Paths of the numbers that the file has; others are changed by no handle.
+
+    Returns
+    -------
+    tuple of DrawnHandle
+        Where mechanisms have a pin in common, and the same numbers of it, one for all of them.
+    """
+    held = [one for place in places for one in _held(machine, place, declared)]
+    # One that reaches much farther than all else is drawn shorter.
+    size = min((_size(place, held) for place in places), default=0.0)
+    found: list[DrawnHandle] = []
+    taken: list[_Held] = []
+    for one in held:
+        if any(_is_same(one, other) for other in taken):
+            continue
+        taken.append(one)
+        others = [other for other in held if _is_same(one, other)]
+        numbers = tuple(_numbers(machine, one, others, size))
+        if numbers:
+            found.append(DrawnHandle(one.place.name, one.handle.pin, numbers))
+    return tuple(found)
+
+
+def _held(machine: Machine, place: PlacedMechanism, declared: Sequence[str]) -> Iterator[_Held]:
+    """Give the pins of a mechanism of whose numbers the file has some."""
+    handles = place.kind.handles
+    if not handles:
+        return
+    positions = placed(machine, place, _angles(machine)).positions
+    for handle in handles:
+        known = ((path, number_at(place.spec, parts_of(path))) for path in handle.numbers)
+        typed = {path: given for path, given in known if given is not None and _in_file(place, path) in declared}
+        if typed and handle.pin in positions:
+            yield _Held(place, handle, positions[handle.pin], dict(list(typed.items())[:_MOST]))
+
+
+def _size(place: PlacedMechanism, held: Sequence[_Held]) -> float:
+    """How far pins of a mechanism that may be moved come from the main shaft; infinite where there are none. [m]"""
+    reach = [float(np.nanmax(np.abs(one.at), initial=0.0)) for one in held if one.place is place]
+    return max(reach, default=np.inf) or np.inf
+
+
+def _angles(machine: Machine) -> Array:
+    """Crank angles φ of a turn. [rad]"""
+    return np.ravel(np.deg2rad(_ANGLES) + machine.zero)
+
+
+def _in_file(place: PlacedMechanism, path: str) -> str:
+    """Path of a number in the machine file."""
+    first = "".join(takewhile(lambda letter: letter not in ".[", path))
+    return place.path_of(first) + path.removeprefix(first)
+
+
+def _is_same(one: _Held, other: _Held) -> bool:
+    """Whether two pins are one, and what is typed of them is alike."""
+    alike = {path: given.text for path, given in one.typed.items()} == {
+        path: given.text for path, given in other.typed.items()
+    }
+    return alike and bool(np.nanmax(np.abs(one.at - other.at), initial=0.0) < _ALIKE)
+
+
+def _numbers(machine: Machine, one: _Held, others: Sequence[_Held], size: float) -> Iterator[HandledNumber]:
+    """Give the numbers of a pin that move it."""
+    for path, given in one.typed.items():
+        typed = measured(given.text)
+        slope = _slope(machine, one, path, given)
+        per_unit = 1.0 if typed is None or not typed.unit else 1.0 / float(shown(1.0, typed.unit))
+        most = float(np.nanmax(np.hypot(*slope), initial=0.0)) * per_unit
+        if typed is not None and most > 0.0:
+            number = float(typed.number)
+            yield HandledNumber(
+                paths=tuple(dict.fromkeys(_in_file(other.place, path) for other in others)),
+                number=number,
+                unit=typed.unit,
+                step=_round_below(min(size / (_FINE * most), abs(number) / _FIGURES or np.inf)),
+                slope=slope * per_unit,
+            )
+
+
+def _slope(machine: Machine, one: _Held, path: str, given: Given) -> Array:
+    """Give how far a pin goes for a change of a number, by differences to both sides, shape (2, n)."""
+    change = _CHANGE * max(abs(given.si), 1.0 if given.si == 0.0 else 0.0)
+
+    def at(si: float) -> Array:
+        spec = with_number(one.place.spec, parts_of(path), replace(given, si=si))
+        place = with_table(one.place, spec, machine.places)
+        return placed(machine, place, _angles(machine)).positions[one.handle.pin]
+
+    return (at(given.si + change) - at(given.si - change)) / (2 * change)
+
+
+def _round_below(size: float) -> float:
+    """Give the largest of 1, 2 and 5 times a power of ten that is no larger."""
+    power = 10.0 ** np.floor(np.log10(size))
+    return float(power * next(part for part in (5, 2, 1) if part * power <= size * (1 + 1e-9)))
+
+
+def number_at(table: object, parts: PathParts) -> Given | None:
+    """Give a number of a table that is written in it; None where there is none, or it is a default."""
+    for part in parts:
+        if isinstance(table, Spec):
+            table = getattr(table, str(part)) if part in table.model_fields_set else None
+        elif isinstance(table, Mapping):
+            table = cast("Mapping[object, object]", table).get(part)
+        else:
+            table = cast("Sequence[object]", table)[cast(int, part)] if table is not None else None
+    return table if isinstance(table, Given) else None
+
+
+def with_number(table: Any, parts: PathParts, given: Given) -> Any:
+    """Give a table with another number at a path that it has; nothing is checked."""
+    if not parts:
+        return given
+    first, *rest = parts
+    if isinstance(table, Spec):
+        return table.model_copy(update={str(first): with_number(getattr(table, str(first)), tuple(rest), given)})
+    if isinstance(table, Mapping):
+        own = cast("Mapping[object, Any]", table)
+        return {**own, first: with_number(own[first], tuple(rest), given)}
+    items = list(cast("Sequence[Any]", table))
+    items[cast(int, first)] = with_number(items[cast(int, first)], tuple(rest), given)
+    return tuple(items)
