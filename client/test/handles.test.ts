@@ -11,13 +11,13 @@ describe("numbers that a pin changes", () => {
     assert.equal(stepped(-0.01, 0.5), "0.0");
   });
   it("take of one direction what is along it", () => {
-    assert.deepEqual(changes([{ x: 0, y: 0.001 }], { x: 5, y: 0.02 }), [20]);
+    assert.deepEqual(changes([{ x: 0, y: 0.125 }], { x: 5, y: 2.5 }), [20]);
   });
   it("reach a point by two", () => {
     const [one, other] = changes([{ x: 0.001, y: 0 }, { x: 0.001, y: 0.002 }], { x: 0.003, y: 0.004 }) as [number, number];
     assert.ok(Math.abs(one - 1) < 1e-9 && Math.abs(other - 2) < 1e-9);
   });
   it("that go the same way leave the second as it is", () => {
-    assert.deepEqual(changes([{ x: 0.001, y: 0 }, { x: 0.002, y: 0 }], { x: 0.003, y: 0.5 }), [3, 0]);
+    assert.deepEqual(changes([{ x: 0.125, y: 0 }, { x: 0.25, y: 0 }], { x: 0.375, y: 0.5 }), [3, 0]);
   });
 });
