@@ -40,7 +40,7 @@ export interface TabContent {
   readonly answer: WrittenGroup;
   readonly sheets: readonly (PageSheet)[];
   readonly beside: PageTable | null;
-  readonly vectors: readonly (PinVectors)[];
+  readonly vectors: readonly (VectorsToScale)[];
   readonly course: PageCourse | null;
 }
 
@@ -271,8 +271,8 @@ export interface RulerMark {
   readonly word: string;
 }
 
-export interface PinVectors {
-  readonly is: "PinVectors";
+export interface VectorsToScale {
+  readonly is: "VectorsToScale";
   readonly title: string;
   readonly unit: string;
   readonly largest: Float;

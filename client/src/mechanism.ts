@@ -1,6 +1,6 @@
 // A mechanism to scale: what stands still is drawn once, what moves is turned and shifted.
 
-import type { DrawnHandle, LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing, PinVector, PinVectors } from "./data.ts";
+import type { DrawnHandle, LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing, PinVector, VectorsToScale } from "./data.ts";
 import { picture, svg } from "./elements.ts";
 import { at, between, extent, number, row } from "./numbers.ts";
 import { barbs, xy, type Point } from "./points.ts";
@@ -168,7 +168,7 @@ export class Mechanism {
   }
 
   /** Show vectors, and no others. */
-  showVectors(sorts: readonly PinVectors[]): void {
+  showVectors(sorts: readonly VectorsToScale[]): void {
     const pin = (one: PinVector, angle: number): Point => this.pinOf(one, angle);
     this.vectors = new DrawnVectors(sorts, pin, this.cycle, this.edges);
     this.layer.replaceChildren(...this.vectors.elements);

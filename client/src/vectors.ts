@@ -1,6 +1,6 @@
 // Vectors on the drawing of a mechanism, and which of them are shown.
 
-import type { PinVector, PinVectors, TabContent } from "./data.ts";
+import type { PinVector, VectorsToScale, TabContent } from "./data.ts";
 import { html, svg } from "./elements.ts";
 import { inkOf } from "./ink.ts";
 import { between, row, same, ticks } from "./numbers.ts";
@@ -37,8 +37,8 @@ export class DrawnVectors {
   readonly elements: readonly SVGElement[];
   private readonly moving: readonly ((angle: number) => void)[];
 
-  constructor(shown: readonly PinVectors[], pin: PinOf, cycle: number, edges: Edges) {
-    const groups = new Map<string, PinVectors[]>();
+  constructor(shown: readonly VectorsToScale[], pin: PinOf, cycle: number, edges: Edges) {
+    const groups = new Map<string, VectorsToScale[]>();
     for (const one of shown) {
       const key = `${one.unit} ${one.largest}`;
       groups.set(key, [...(groups.get(key) ?? []), one]);
@@ -47,7 +47,7 @@ export class DrawnVectors {
     this.moving = [...groups.values()].flatMap((sorts, place) => {
       const all = sorts.flatMap((one) => one.vectors);
       const perUnit = scaleOf(all, sorts[0]?.largest ?? NaN, pin, cycle, edges);
-      elements.push(...scaleArrow(sorts[0] as PinVectors, perUnit, edges, place));
+      elements.push(...scaleArrow(sorts[0] as VectorsToScale, perUnit, edges, place));
       return all.map((one) => vector(one, perUnit, cycle, pin, elements));
     });
     this.elements = elements;
@@ -99,7 +99,7 @@ function vector(one: PinVector, perUnit: number, cycle: number, pin: PinOf, into
 }
 
 /** An arrow of a round size, in the lower right corner, where there is room beside the scale of lengths. */
-function scaleArrow(of: PinVectors, perUnit: number, edges: Edges, place: number): SVGElement[] {
+function scaleArrow(of: VectorsToScale, perUnit: number, edges: Edges, place: number): SVGElement[] {
   const largest = of.largest ?? NaN;
   const size = ticks(0, largest, 3)[1] ?? largest;
   const row = place + (edges.right - edges.left < NARROW ? 1 : 0);
@@ -114,16 +114,16 @@ function scaleArrow(of: PinVectors, perUnit: number, edges: Edges, place: number
 /** Buttons that choose what is shown on the drawing: what the open tab has, unless somebody wants something else. */
 export class VectorChoice {
   readonly element = html("div", { class: "vectors", role: "group" });
-  private readonly show: (shown: readonly PinVectors[]) => void;
+  private readonly show: (shown: readonly VectorsToScale[]) => void;
   private readonly ask: (tab: string) => void;
   private readonly wanted = new Map<string, boolean>();
   /** Tabs of all sorts of vectors that were seen, by their titles, and what is known of them. */
   private readonly tabs = new Map<string, string>();
-  private known: ReadonlyMap<string, PinVectors> = new Map();
+  private known: ReadonlyMap<string, VectorsToScale> = new Map();
   private titles: readonly string[] = [];
   private open = "";
 
-  constructor(show: (shown: readonly PinVectors[]) => void, ask: (tab: string) => void) {
+  constructor(show: (shown: readonly VectorsToScale[]) => void, ask: (tab: string) => void) {
     this.show = show;
     this.ask = ask;
   }

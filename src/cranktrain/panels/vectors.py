@@ -43,7 +43,7 @@ class PinVector:
 
 
 @record
-class PinVectors:
+class VectorsToScale:
     """Vectors of one sort.
 
     Attributes
@@ -62,17 +62,17 @@ class PinVectors:
     vectors: tuple[PinVector, ...]
 
 
-def to_one_scale(unit: str, sorts: Iterable[tuple[Words, Iterable[PinVector]]]) -> Iterator[PinVectors]:
+def to_one_scale(unit: str, sorts: Iterable[tuple[Words, Iterable[PinVector]]]) -> Iterator[VectorsToScale]:
     """Give sorts of vectors to the scale of the largest of all; what is nothing beside that is left out."""
     found = [(title, tuple(vectors)) for title, vectors in sorts]
     largest = max((one.largest for _title, vectors in found for one in vectors), default=0.0)
     for title, vectors in found:
         kept = tuple(one for one in vectors if one.largest > _NOTHING * largest)
         if kept:
-            yield PinVectors(title, unit, largest, kept)
+            yield VectorsToScale(title, unit, largest, kept)
 
 
-def vectors_as_shown(found: PinVectors) -> PinVectors:
+def vectors_as_shown(found: VectorsToScale) -> VectorsToScale:
     """Give vectors in the unit in which they are shown, and its label."""
     scale = scale_for(found.unit, found.largest)
     vectors = tuple(replace(one, value=scale.of(one.value)) for one in found.vectors)

@@ -22,7 +22,7 @@ from cranktrain.panels.parts import Sheet, SheetColumn, Stack
 from cranktrain.panels.plotted import plot_of
 from cranktrain.panels.shapes import Panel
 from cranktrain.panels.sheets import pictures_of, vectors_of
-from cranktrain.panels.vectors import PinVectors, vectors_as_shown
+from cranktrain.panels.vectors import VectorsToScale, vectors_as_shown
 from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.saying.row_table import written_group
@@ -255,7 +255,7 @@ def _sheet_beside(saved: Result | None, title: str, make: Callable[..., Any]) ->
     return sheet.columns
 
 
-def _vectors(result: Result, title: str) -> Iterator[PinVectors]:
+def _vectors(result: Result, title: str) -> Iterator[VectorsToScale]:
     """Give vectors of some questions on the throw that is drawn."""
     angles = np.arange(0.0, result.cycle + _VECTOR_STEP / 2, _VECTOR_STEP)
     for home in (one for question in _questions(result, title) for one in vectors_of(question.name)):

@@ -8,7 +8,7 @@ from cranktrain.errors import InputError
 from cranktrain.language import Words
 from cranktrain.motion import Array
 from cranktrain.panels.parts import Notes
-from cranktrain.panels.vectors import PinVectors
+from cranktrain.panels.vectors import VectorsToScale
 from cranktrain.record import record
 from cranktrain.saying.row_table import WrittenGroup
 from cranktrain.web.parts import PagePart, PageTable
@@ -84,7 +84,7 @@ class TabContent:
     sheets : tuple of PageSheet
     beside : PageTable or None
         Its facts beside those of a saved case; None where nothing is beside.
-    vectors : tuple of PinVectors
+    vectors : tuple of VectorsToScale
         For the drawing.
     course : PageCourse or None
         Time that it is over, in which the crank turns; None of what is over the crank angle.
@@ -93,7 +93,7 @@ class TabContent:
     answer: WrittenGroup
     sheets: tuple[PageSheet, ...]
     beside: PageTable | None = None
-    vectors: tuple[PinVectors, ...] = ()
+    vectors: tuple[VectorsToScale, ...] = ()
     course: PageCourse | None = None
 
 

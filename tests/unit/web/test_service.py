@@ -67,6 +67,15 @@ def test_a_served_file_that_was_written_anew_is_read_anew(tmp_path):
             assert f"{rod} mm" in {one["text"] for table in data["tables"] for one in table["inputs"]}
 
 
+def test_pins_that_may_be_moved_say_which_numbers_that_changes(client):
+    data, _numbers = opened(client.post("/api/handles", json=asked("3d12", "bank.L.mechanism.rod_length=330 mm")))
+    numbers = {handle["pin"]: handle["numbers"][0] for handle in data["handles"] if handle["mechanism"] == "1L"}
+    assert (numbers["B"]["paths"], numbers["B"]["number"]) == (["bank.L.mechanism.rod_length"], 330.0)
+    assert data["open"] == []
+    short, _numbers = opened(client.post("/api/handles", json=asked("3d12", "bank.L.mechanism.rod_length=80 mm")))
+    assert "close" in short["open"][0]
+
+
 def test_the_file_keeps_its_comments(client):
     text = client.post("/api/file", json=asked("3d12", "cylinder.bore=151 mm")).text
     assert 'bore = "151 mm"' in text
@@ -140,7 +149,7 @@ def test_script_in_a_name_stays_text(client):
 def test_its_interface_is_described(client):
     schema = client.get("/openapi.json").json()
     assert set(schema["paths"]) == {
-        *("/api/case", "/api/tab", "/api/trust", "/api/file", "/api/examples", "/api/gallery"),
+        *("/api/case", "/api/tab", "/api/trust", "/api/handles", "/api/file", "/api/examples", "/api/gallery"),
         *("/api/sweep", "/api/sweep/{number}"),
     }
     for table in ("PageAsked", "SweepAsked"):

@@ -14,7 +14,7 @@ from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.mechanisms.dynamics import FRAME, Reaction
 from cranktrain.motion import Array
 from cranktrain.panels.design import OneDesign, closed
-from cranktrain.panels.vectors import PinVector, PinVectors, to_one_scale
+from cranktrain.panels.vectors import PinVector, VectorsToScale, to_one_scale
 from cranktrain.plans.placement import frame, placed
 from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.vectors import turned_left
@@ -24,7 +24,7 @@ _BETWEEN_LINKS = ("pin", "pivot", "knuckle_pin")
 """Roles of joints whose whole reaction is drawn; guides and crank pins have their own letters."""
 
 
-def forces(result: Result, places: Sequence[PlacedMechanism], angles: Array) -> Iterator[PinVectors]:
+def forces(result: Result, places: Sequence[PlacedMechanism], angles: Array) -> Iterator[VectorsToScale]:
     """Give the forces on what is drawn, all to one scale; none where the file says of nothing that acts.
 
     Parameters
@@ -38,7 +38,7 @@ def forces(result: Result, places: Sequence[PlacedMechanism], angles: Array) -> 
 
     Yields
     ------
-    PinVectors
+    VectorsToScale
         Of the gas on pistons; of guides on what slides in them, N where nothing rubs; of all rods together on each
         crank pin: toward the shaft K, in the sense of rotation T, and both; in other joints that of one link on the
         next. [N]

@@ -9,7 +9,7 @@ from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.speed import SpeedCurve, rates
 from cranktrain.motion import Array
-from cranktrain.panels.vectors import PinVector, PinVectors, to_one_scale
+from cranktrain.panels.vectors import PinVector, VectorsToScale, to_one_scale
 from cranktrain.plans.placement import placed
 from cranktrain.plans.turning import turning
 from cranktrain.plans.vectors import spoken_name
@@ -18,7 +18,7 @@ _ALIKE = 1e-9
 """Pins that are never farther apart are one. [m]"""
 
 
-def velocities(result: Result, places: Sequence[PlacedMechanism], angles: Array) -> Iterator[PinVectors]:
+def velocities(result: Result, places: Sequence[PlacedMechanism], angles: Array) -> Iterator[VectorsToScale]:
     """Give the velocities of all that moves, of pins that mechanisms share once; none where no speed is known.
 
     Parameters
@@ -32,7 +32,7 @@ def velocities(result: Result, places: Sequence[PlacedMechanism], angles: Array)
 
     Yields
     ------
-    PinVectors
+    VectorsToScale
         v = r′ω. [m/s]
     """
     if result.machines[0].main_shaft.speed is not None or result.get(SpeedCurve) is not None:
