@@ -13,10 +13,11 @@ class Hanging(NamedTuple):
     """Is at it for ten minutes."""
 
     case: Case = Case("hanging")
+    language: None = None
 
     @property
     def part(self):
-        """Which part is asked for is what a process looks at first."""
+        """Which part is asked for is looked at before all else that is computed."""
         time.sleep(600)
 
 
@@ -24,6 +25,7 @@ class Fatal(NamedTuple):
     """Ends the process, as the system does with one that takes all memory."""
 
     case: Case = Case("fatal")
+    language: None = None
 
     @property
     def part(self):
@@ -34,6 +36,7 @@ class Faulty(NamedTuple):
     """Comes upon a fault of the program."""
 
     case: Case = Case("faulty")
+    language: None = None
 
     @property
     def part(self):
@@ -45,6 +48,7 @@ class Leaving(NamedTuple):
 
     path: str
     case: Case = Case("leaving")
+    language: None = None
 
     @property
     def part(self):
@@ -56,6 +60,7 @@ class Naming(NamedTuple):
     """Says which process has it."""
 
     case: Case
+    language: None = None
 
     @property
     def part(self):

@@ -8,6 +8,7 @@ import ast
 import contextlib
 import io
 import re
+import struct
 import tomllib
 from collections.abc import Iterable, Iterator
 from functools import cache
@@ -15,6 +16,7 @@ from pathlib import Path
 from string import ascii_lowercase
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 import typer
 from typer.testing import CliRunner
@@ -92,6 +94,20 @@ def pseudo(monkeypatch):
     catalogue, there = language._catalogue, messages()
     of_pseudo = SimpleNamespace(gettext=lambda message: marked(message) if message in there else message)
     monkeypatch.setattr(language, "_catalogue", lambda of: of_pseudo if of == PSEUDO else catalogue(of))
+
+
+def write_catalogue(locale: Path) -> None:
+    """Write a catalogue of the language as gettext's tools do, into a folder of such."""
+    said = {"": "Content-Type: text/plain; charset=UTF-8\n", **{one: marked(one) for one in messages() if one}}
+    pairs = [(one.encode(), said[one].encode()) for one in sorted(said)]
+    n, head = len(pairs), 7 * 4
+    ends = np.cumsum([head + 16 * n, *(len(text) + 1 for side in (0, 1) for text in (pair[side] for pair in pairs))])
+    lengths = [len(pair[side]) for side in (0, 1) for pair in pairs]
+    table = np.stack((lengths, ends[:-1]), axis=1).astype("<u4")
+    path = locale / PSEUDO / "LC_MESSAGES/cranktrain.mo"
+    path.parent.mkdir(parents=True)
+    words = b"".join(pair[side] + b"\0" for side in (0, 1) for pair in pairs)
+    path.write_bytes(struct.pack("<7I", 0x950412DE, 0, n, head, head + 8 * n, 0, 0) + table.tobytes() + words)
 
 
 def said_by(*arguments: str, of: str | None = PSEUDO) -> str:

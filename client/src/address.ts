@@ -28,7 +28,10 @@ const TIME = "t";
 const MACHINE = "machine";
 const BESIDE = "beside";
 const SENT = "file";
-const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, TIME, MACHINE, BESIDE, SENT]);
+const LANGUAGE = "lang";
+const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, TIME, MACHINE, BESIDE, SENT, LANGUAGE]);
+/** What stays when another machine is asked for. */
+const STAYING: ReadonlySet<string> = new Set([TAB, ANGLE, TIME, LANGUAGE]);
 
 const parts = (hash: string): URLSearchParams => new URLSearchParams(hash.replace(/^#/, ""));
 
@@ -64,11 +67,21 @@ export function withPlace(hash: string, place: Place): string {
 /** Write a machine and its numbers into the part of an address behind #; the place stays. */
 export function withAsked(hash: string, asked: Asked): string {
   const found = parts(hash);
-  for (const name of [...found.keys()]) if (name !== TAB && name !== ANGLE && name !== TIME) found.delete(name);
+  for (const name of [...found.keys()]) if (!STAYING.has(name)) found.delete(name);
   set(found, MACHINE, asked.machine);
   set(found, SENT, asked.sent?.letters ?? "");
   for (const [path, text] of asked.settings) found.set(path, text);
   if (asked.beside) found.set(BESIDE, withAsked("", asked.beside).slice(1));
+  return `#${found.toString()}`;
+}
+
+/** Read the code of a language; none is that of the service. */
+export const languageIn = (hash: string): string => parts(hash).get(LANGUAGE) ?? "";
+
+/** Write a language into the part of an address behind #, all else as it was. */
+export function withLanguage(hash: string, code: string): string {
+  const found = parts(hash);
+  set(found, LANGUAGE, code);
   return `#${found.toString()}`;
 }
 
@@ -94,6 +107,14 @@ export class Address {
 
   get place(): Place {
     return placeIn(this.hash);
+  }
+
+  get language(): string {
+    return languageIn(this.hash);
+  }
+
+  speak(code: string): void {
+    this.write(withLanguage(this.hash, code));
   }
 
   stand(place: Place): void {

@@ -14,10 +14,14 @@ import { html } from "./elements.ts";
 import { Form, sentence, type Problem } from "./form.ts";
 import { GalleryDialog } from "./gallery.ts";
 import type { Editing } from "./handles.ts";
+import { Languages } from "./languages.ts";
 import { MachinePage, type Source } from "./page.ts";
 import { sentOf } from "./sent.ts";
 import { Steps } from "./steps.ts";
 import { said } from "./words.ts";
+
+/** Where a problem lies that is none of the machine: a link may name a language that is not there. */
+const LANGUAGE = "language";
 
 /** From when on it is shown that something is computed. [ms] */
 const PATIENCE = 150;
@@ -41,6 +45,8 @@ class App {
   private readonly address: Address;
   private readonly colours = new Colours();
   private readonly design: DesignTab;
+  private readonly languages = new Languages((code) => { this.speak(code); });
+  private noAnswer = "";
   private form: Form | null = null;
   private shown: Asked | null = null;
   private page: MachinePage | null = null;
@@ -59,9 +65,10 @@ class App {
       walk: (by) => { this.walk(by); },
       save: () => { void this.save(); },
       beside: (saved) => { this.compare(saved); },
-    }, this.colours.element);
+    }, this.languages.element, this.colours.element);
     this.design = new DesignTab({
       load: (settings) => { this.ask({ ...this.steps.now, settings: new Map([...this.steps.now.settings, ...settings]) }); },
+      language: () => this.address.language,
       fail: (error) => { this.fail(error); },
     });
     this.files.addEventListener("change", () => { void this.open([...(this.files.files ?? [])]); });
@@ -76,6 +83,11 @@ class App {
       this.walk(event.shiftKey ? 1 : -1);
     });
     into.replaceChildren(this.bar.element, html("div", { class: "app" }, this.side, this.view), this.files);
+  }
+
+  private speak(code: string): void {
+    this.address.speak(code);
+    void this.show();
   }
 
   private walk(by: number): void {
@@ -105,7 +117,7 @@ class App {
   /** Show machines to begin with. */
   private async choose(): Promise<void> {
     if (!this.gallery) {
-      const found = (await opened(await fetch("api/gallery"))) as Gallery;
+      const found = (await opened(await fetch(`api/gallery?language=${encodeURIComponent(this.address.language)}`))) as Gallery;
       this.gallery = new GalleryDialog(found, {
         example: ({ name }) => { this.ask({ machine: name, settings: new Map() }); },
         kind: ({ name, text }) => { void this.take(name, text); },
@@ -145,10 +157,12 @@ class App {
     const asked = this.steps.now;
     const late = setTimeout(() => { this.view.classList.add("computing"); }, PATIENCE);
     try {
-      const found = (await opened(await ask("api/case", asked, { tab: this.address.place.tab }, signal))) as PageCase;
+      const found = (await opened(await ask("api/case", asked, { language: this.address.language, tab: this.address.place.tab }, signal))) as PageCase;
       if (!signal.aborted) this.fill(found, asked);
     } catch (error) {
-      if (!signal.aborted) this.fail(error);
+      if (signal.aborted) return;
+      if (this.address.language && error instanceof Refused && error.problems.some((one) => one.path === LANGUAGE)) this.speak("");
+      else this.fail(error);
     } finally {
       clearTimeout(late);
       if (!signal.aborted) this.view.classList.remove("computing");
@@ -159,7 +173,13 @@ class App {
     const { words } = found;
     this.address.ask(asked);
     this.bar.take(asked, words, (by) => this.steps.has(by));
-    if (!this.form?.fits(found.tables) || this.shown?.machine !== asked.machine || this.shown.sent !== asked.sent) {
+    this.noAnswer = words.no_answer;
+    const isInAnother = this.languages.take(found);
+    if (isInAnother) {
+      this.gallery?.element.remove();
+      this.gallery = null;
+    }
+    if (isInAnother || !this.form?.fits(found.tables) || this.shown?.machine !== asked.machine || this.shown.sent !== asked.sent) {
       this.form = new Form(words.numbers, found.tables, (path, text) => { this.set(path, text); }, words.as_in_file);
       this.offered.replaceChildren();
       this.side.replaceChildren(this.form.element, this.offered);
@@ -194,7 +214,7 @@ class App {
       change: async (texts, isNext) => {
         const next = { ...asked, settings: new Map([...asked.settings, ...texts]) };
         try {
-          const found = (await opened(await ask("api/handles", next))) as PageHandles;
+          const found = (await opened(await ask("api/handles", next, { language: this.address.language }))) as PageHandles;
           if (found.open.length) return found.open[0] as string;
           this.handles = { of: next, found };
         } catch (error) {
@@ -212,7 +232,7 @@ class App {
   /** Ask for more of what is shown; of what is shown no longer nothing comes. */
   private async more(where: string, asked: Asked, signal: AbortSignal, tab = ""): Promise<unknown> {
     try {
-      return await opened(await ask(where, asked, { tab }, signal));
+      return await opened(await ask(where, asked, { language: this.address.language, tab }, signal));
     } catch (error) {
       if (!signal.aborted) this.fail(error);
       return new Promise(() => undefined);
@@ -239,7 +259,7 @@ class App {
   /** The text of the machine file with all numbers in place, and with another table; nothing where it cannot be. */
   private async fileText(key = ""): Promise<string | null> {
     try {
-      return await (await ask("api/file", this.steps.now, { key })).text();
+      return await (await ask("api/file", this.steps.now, { language: this.address.language, key })).text();
     } catch (error) {
       this.fail(error);
       return null;
@@ -247,7 +267,7 @@ class App {
   }
 
   private fail(error: unknown): void {
-    this.blame(error instanceof Refused ? error.problems : [{ path: "", given: null, allowed: String(error), repair: null }]);
+    this.blame(error instanceof Refused ? error.problems : [{ path: "", given: null, allowed: this.noAnswer || String(error), repair: null }]);
   }
 
   private blame(problems: readonly Problem[]): void {

@@ -14,8 +14,9 @@ export class Refused extends Error {
   }
 }
 
-/** What is asked beside a machine: on which tab, which table, which facts over which values. */
+/** What is asked beside a machine: in which language, on which tab, which table, which facts over which values. */
 interface Beside {
+  readonly language: string;
   readonly tab?: string;
   readonly key?: string;
   readonly vary?: Readonly<Record<string, string>>;
@@ -23,7 +24,7 @@ interface Beside {
 }
 
 /** Ask of a machine; what is wrong with it is thrown as `Refused`. */
-export async function ask(where: string, asked: Asked, beside: Beside = {}, signal: AbortSignal | null = null): Promise<Response> {
+export async function ask(where: string, asked: Asked, beside: Beside, signal: AbortSignal | null = null): Promise<Response> {
   const body = JSON.stringify({ ...caseOf(asked), ...beside, ...(asked.beside ? { beside: caseOf(asked.beside) } : {}) });
   return known(await fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal }));
 }

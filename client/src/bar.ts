@@ -73,7 +73,9 @@ export class Bar {
     const called = (one: Asked): string => one.sent?.name ?? one.machine;
     const name = (one: Asked): string =>
       [...(called(one) === called(asked) ? [] : [called(one)]), [...one.settings].map((setting) => setting.join(" = ")).join(", ") || words.as_in_file].join(": ");
-    for (const one of [own, ...(asked.beside ? [asked.beside] : [])]) this.cases.set(name(one), one);
+    const before = [...this.cases.values()];
+    this.cases.clear();
+    for (const one of [...before, own, ...(asked.beside ? [asked.beside] : [])]) this.cases.set(name(one), one);
     this.beside.replaceChildren(html("option", { value: "" }, "–"), ...[...this.cases.keys()].map((one) => html("option", { value: one }, one)));
     this.beside.value = asked.beside ? name(asked.beside) : "";
     this.besideLabel.replaceChildren(`${words.compare} `, this.beside);

@@ -13,6 +13,8 @@ export interface PageCase {
   readonly is: "PageCase";
   readonly machine: ShownMachine;
   readonly tables: readonly (NumbersOfTable)[];
+  readonly language: string;
+  readonly languages: readonly (PageLanguage)[];
   readonly words: CaseWords;
 }
 
@@ -475,6 +477,12 @@ export interface PageInput {
   readonly note: string;
 }
 
+export interface PageLanguage {
+  readonly is: "PageLanguage";
+  readonly code: string;
+  readonly name: string;
+}
+
 export interface CaseWords {
   readonly is: "CaseWords";
   readonly machine: string;
@@ -491,6 +499,8 @@ export interface CaseWords {
   readonly broken_link: string;
   readonly design: DesignWords;
   readonly move: string;
+  readonly language: string;
+  readonly no_answer: string;
 }
 
 export interface DesignWords {

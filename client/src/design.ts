@@ -22,6 +22,7 @@ const PAUSE = 250;
 export interface DesignDoings {
   /** Set numbers anew: texts by path. */
   readonly load: (settings: ReadonlyMap<string, string>) => void;
+  readonly language: () => string;
   readonly fail: (error: unknown) => void;
 }
 
@@ -153,7 +154,7 @@ export class DesignTab {
     this.wait(true);
     try {
       const { beside: _beside, ...own } = asked;
-      const { number } = (await (await ask("api/sweep", own, { vary, wanted: this.wanted })).json()) as { number: string };
+      const { number } = (await (await ask("api/sweep", own, { language: this.doings.language(), vary, wanted: this.wanted })).json()) as { number: string };
       this.going = number;
       const found = await this.computed(number);
       if (found && this.going === number) this.show(found);

@@ -133,6 +133,7 @@ export class MachinePage {
     this.own = own;
     const { drawing, words } = this.page;
     if (!same([drawing, words.drawing], [page.drawing, page.words.drawing])) this.mechanism = new Mechanism(page.drawing, page.words.drawing, this.handles.view);
+    if (!same(words, page.words)) this.trust = null;
     this.fill(page, source);
   }
 

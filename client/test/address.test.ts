@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
-import { askedIn, placeIn, withAsked, withPlace } from "../src/address.ts";
+import { askedIn, languageIn, placeIn, withAsked, withLanguage, withPlace } from "../src/address.ts";
 import { sentIn, sentOf } from "../src/sent.ts";
 
 describe("an address", () => {
@@ -19,6 +19,12 @@ describe("an address", () => {
     const hash = withAsked("#tab=Balance&phi=70&machine=vaz_21213&cylinder.bore=1 mm", { machine: "3d12", settings });
     assert.deepEqual(await askedIn(hash), { machine: "3d12", settings });
     assert.deepEqual(placeIn(hash), { tab: "Balance", angle: 70, time: NaN });
+  });
+  it("keeps its language whatever else is asked for", async () => {
+    const hash = withPlace(withAsked(withLanguage("", "ru"), { machine: "3d12", settings: new Map() }), { tab: "Gas", angle: 3, time: NaN });
+    assert.equal(languageIn(hash), "ru");
+    assert.deepEqual((await askedIn(hash)).settings, new Map());
+    assert.equal(languageIn(withLanguage(hash, "")), "");
   });
   it("gives the saved case beside it again", async () => {
     const beside = { machine: "", settings: new Map([["cylinder.bore", "1 & 2 mm"]]) };

@@ -12,11 +12,14 @@ from typing import TypeAlias
 
 _chosen: ContextVar[str | None] = ContextVar("chosen language", default=None)
 """None for that of the surroundings, `LANGUAGE` or `LANG`."""
+_LOCALE = Path(__file__).parent / "locale"
+_DOMAIN = "cranktrain"
+_OF_THE_CODE = "en"
 
 
 @contextmanager
-def in_language(language: str) -> Generator[None]:
-    """Say words in a language for a while, such as `ru`: here, and not in other threads."""
+def in_language(language: str | None) -> Generator[None]:
+    """Say words in a language for a while, such as `ru`, or in that of the surroundings: here, not in other threads."""
     token = _chosen.set(language)
     try:
         yield
@@ -29,11 +32,24 @@ def chosen_language() -> str | None:
     return _chosen.get()
 
 
+def languages() -> tuple[str, ...]:
+    """Languages that there are words in: that of the code, and those that it is translated to."""
+    found = _LOCALE.glob(f"*/LC_MESSAGES/{_DOMAIN}.mo")
+    return (_OF_THE_CODE, *sorted(path.parts[-3] for path in found))
+
+
+def spoken_language() -> str:
+    """In which of these words are said in here."""
+    language = _chosen.get()
+    found = gettext.find(_DOMAIN, _LOCALE, None if language is None else [language])
+    return _OF_THE_CODE if found is None else Path(found).parts[-3]
+
+
 @cache
 def _catalogue(language: str | None) -> gettext.NullTranslations:
     """Words of a language; those of the code where there are none."""
-    languages = None if language is None else [language]
-    return gettext.translation("cranktrain", Path(__file__).parent / "locale", languages, fallback=True)
+    asked = None if language is None else [language]
+    return gettext.translation(_DOMAIN, _LOCALE, asked, fallback=True)
 
 
 class Said(ABC):

@@ -90,9 +90,9 @@ def starting(tmp_path):
     return started
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def chromium():
-    """A browser, for all tests that look at pages."""
+    """A browser; while it is there nothing else may run in a loop of events, so that each file of tests has its own."""
     with browser() as one:
         yield one
 

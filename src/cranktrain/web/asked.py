@@ -27,7 +27,7 @@ class Case(NamedTuple):
 class PageQuestion(NamedTuple):
     """Which part of a page is asked for, of which machine if of one, on the tab of which name, beside which saved case.
 
-    key: of a table that is to stand in the machine file, too.
+    key: of a table that is to stand in the machine file, too; language: that of the surroundings unless given.
     """
 
     case: Case | None
@@ -35,6 +35,7 @@ class PageQuestion(NamedTuple):
     tab: str = ""
     beside: Case | None = None
     key: str = ""
+    language: str | None = None
 
 
 class SweepQuestion(NamedTuple):
@@ -47,11 +48,14 @@ class SweepQuestion(NamedTuple):
         Paths, each with its values.
     wanted : tuple of str
         Names of facts; the headlines where there are none.
+    language : str or None
+        That of the surroundings unless given.
     """
 
     case: Case
     vary: tuple[tuple[str, str], ...]
     wanted: tuple[str, ...]
+    language: str | None = None
 
 
 class HowFar(NamedTuple):

@@ -1,5 +1,6 @@
 """A machine on a page with its numbers, any of which may be set anew: what is asked, and what is sent."""
 
+from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -7,7 +8,7 @@ from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of, read_machine, read_text
 from cranktrain.io.offers import offered_tables, with_table
-from cranktrain.language import Words, _
+from cranktrain.language import Words, _, in_language, languages, spoken_language
 from cranktrain.one_line import one_line
 from cranktrain.panels.handles import DrawnHandle, drawn_handles
 from cranktrain.paths import parts_of
@@ -73,6 +74,14 @@ class DesignWords:
 
 
 @record
+class PageLanguage:
+    """A language that a page may be in: its code, and what it calls itself."""
+
+    code: str
+    name: str
+
+
+@record
 class CaseWords:
     """Words of a page on which numbers may be changed."""
 
@@ -90,6 +99,8 @@ class CaseWords:
     broken_link: Words
     design: DesignWords
     move: Words
+    language: Words
+    no_answer: Words
 
 
 @record
@@ -100,11 +111,17 @@ class PageCase:
     ----------
     machine : ShownMachine
     tables : tuple of NumbersOfTable
+    language : str
+        Code of that in which it is.
+    languages : tuple of PageLanguage
+        All that there are.
     words : CaseWords
     """
 
     machine: ShownMachine
     tables: tuple[NumbersOfTable, ...]
+    language: str
+    languages: tuple[PageLanguage, ...]
     words: CaseWords
 
 
@@ -145,7 +162,8 @@ def packed_page(case: Case, tab: str, beside: Case | None = None) -> Packed:
     """
     file, result = _computed(case)
     with result.in_its_units():
-        return packed(PageCase(machine_page(result, tab, _result_of(beside)), _tables(file), _case_words()))
+        page = machine_page(result, tab, _result_of(beside))
+        return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), _case_words()))
 
 
 def packed_tab(case: Case, tab: str, beside: Case | None = None) -> Packed:
@@ -225,6 +243,14 @@ def machine_file_of(case: Case) -> MachineFile:
     return file
 
 
+def _languages() -> Iterator[PageLanguage]:
+    """Give the languages, each under its own name: each translates "English" by what it is called itself."""
+    for code in languages():
+        with in_language(code):
+            name = str(_("English"))
+        yield PageLanguage(code, name)
+
+
 def _case_words() -> CaseWords:
     """Give them."""
     return CaseWords(
@@ -255,6 +281,8 @@ def _case_words() -> CaseWords:
             numbers=_("Numbers"),
         ),
         move=_("Move pins"),
+        language=_("Language"),
+        no_answer=_("the service does not answer"),
     )
 
 

@@ -4,7 +4,7 @@ import traceback
 from collections.abc import Callable
 
 from cranktrain.errors import InputError
-from cranktrain.language import _
+from cranktrain.language import _, in_language
 from cranktrain.web.asked import HowFar, PageQuestion, Reply, SweepQuestion
 from cranktrain.web.case import file_text, packed_handles, packed_page, packed_tab, packed_trust
 from cranktrain.web.gallery import gallery
@@ -25,6 +25,12 @@ def reply_to(question: PageQuestion | SweepQuestion, say: Callable[[HowFar], Non
     say : callable
         Called when it is known how far a long one is.
     """
+    with in_language(question.language):
+        return _reply(question, say)
+
+
+def _reply(question: PageQuestion | SweepQuestion, say: Callable[[HowFar], None]) -> Reply:
+    """Give it in the language that is chosen."""
     try:
         if isinstance(question, SweepQuestion):
             from cranktrain.web.sweeping import packed_sweep  # pages ask for none
@@ -44,7 +50,7 @@ def reply_to(question: PageQuestion | SweepQuestion, say: Callable[[HowFar], Non
 
 def _content(question: PageQuestion) -> bytes:
     """Compute a part of a page as its bytes."""
-    case, part, tab, beside, _key = question
+    case, part, tab, beside, _key, _language = question
     if case is None:
         return packed(gallery()).content
     if part == "page":

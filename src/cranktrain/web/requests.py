@@ -6,7 +6,7 @@ from typing import Annotated
 from pydantic import BaseModel, Field
 
 from cranktrain.errors import InputError, Problem, refuse
-from cranktrain.language import _
+from cranktrain.language import _, languages
 from cranktrain.paths import parts_of
 from cranktrain.web.asked import Case, PageQuestion, Part, SentMachine, SweepQuestion
 
@@ -20,7 +20,7 @@ _FILE_KEY = "file"
 _Name = Annotated[str, Field(max_length=_LONGEST)]
 
 
-class CaseAsked(BaseModel):
+class MachineAsked(BaseModel):
     """A machine, and numbers set anew."""
 
     machine: Annotated[
@@ -52,11 +52,19 @@ class CaseAsked(BaseModel):
     ] = []
 
 
+class CaseAsked(MachineAsked):
+    """A machine, and in which language is said what there is to be said of it."""
+
+    language: Annotated[
+        str, Field(max_length=_LONGEST, description="One that there is; that of the service unless given.")
+    ] = ""
+
+
 class PageAsked(CaseAsked):
     """A machine, and which tab is open."""
 
     tab: Annotated[_Name, Field(description="By its name; the first where there is none of it.")] = ""
-    beside: Annotated[CaseAsked | None, Field(description="A saved case that stands beside it.")] = None
+    beside: Annotated[MachineAsked | None, Field(description="A saved case that stands beside it.")] = None
 
 
 class FileAsked(CaseAsked):
@@ -123,23 +131,33 @@ def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: st
     Raises
     ------
     InputError
-        Where no machine is meant that may be, or a setting would have a file read.
+        Where no machine or language is meant that there is, or a setting would have a file read.
     """
-    case = _case_of(asked, known, served)
+    case, language = _case_of(asked, known, served), _language_of(asked)
     if isinstance(asked, FileAsked):
-        return PageQuestion(case, part, key=asked.key)
+        return PageQuestion(case, part, key=asked.key, language=language)
     if not isinstance(asked, PageAsked):
-        return PageQuestion(case, part)
-    return PageQuestion(case, part, asked.tab, asked.beside and _case_of(asked.beside, known, served))
+        return PageQuestion(case, part, language=language)
+    beside = asked.beside and _case_of(asked.beside, known, served)
+    return PageQuestion(case, part, asked.tab, beside, language=language)
 
 
 def sweep_of(asked: SweepAsked, known: Collection[str], served: str | None) -> SweepQuestion:
     """Find what is meant; as `question_of`."""
     refuse(_naming_files([f"{path}={values}" for path, values in asked.vary.items()]))
-    return SweepQuestion(_case_of(asked, known, served), tuple(asked.vary.items()), tuple(asked.wanted))
+    case, language = _case_of(asked, known, served), _language_of(asked)
+    return SweepQuestion(case, tuple(asked.vary.items()), tuple(asked.wanted), language)
 
 
-def _case_of(asked: CaseAsked, known: Collection[str], served: str | None) -> Case:
+def _language_of(asked: CaseAsked) -> str | None:
+    """Find a language, if one is named."""
+    if asked.language not in ("", *languages()):
+        allowed = _("must be one of the languages: {names}", names=", ".join(languages()))
+        raise InputError([Problem("language", asked.language, allowed)])
+    return asked.language or None
+
+
+def _case_of(asked: MachineAsked, known: Collection[str], served: str | None) -> Case:
     """Find a machine; as `question_of`."""
     refuse((*_naming_files(asked.settings), *_beside_each_other(asked)))
     if asked.text is not None:
@@ -151,7 +169,7 @@ def _case_of(asked: CaseAsked, known: Collection[str], served: str | None) -> Ca
     return Case(source, tuple(asked.settings))
 
 
-def _beside_each_other(asked: CaseAsked) -> Iterator[Problem]:
+def _beside_each_other(asked: MachineAsked) -> Iterator[Problem]:
     """Refuse two machines, and files of a machine that was not sent."""
     if asked.text is not None and asked.machine:
         yield Problem("machine", asked.machine, _("must not stand beside the text of another"))

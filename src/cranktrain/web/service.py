@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import AsyncGenerator, Callable
-from contextlib import asynccontextmanager
+from contextlib import AbstractContextManager, asynccontextmanager
 from html import escape
 from importlib.resources import files
 from typing import Any
@@ -13,7 +13,7 @@ from fastapi.responses import HTMLResponse, JSONResponse, PlainTextResponse, Res
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.examples import example_names
-from cranktrain.language import _
+from cranktrain.language import _, in_language, languages, spoken_language
 from cranktrain.version import VERSION
 from cranktrain.web.asked import HowFar, PageQuestion, Part, Reply, SweepQuestion
 from cranktrain.web.guard import Door, Guard, response_of
@@ -33,7 +33,7 @@ from cranktrain.web.sweeps import Sweeps
 from cranktrain.web.workers import InThisProcess, Replying
 
 _PAGE = """<!doctype html>
-<html lang="en">
+<html lang="{language}">
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>cranktrain</title>
@@ -87,15 +87,16 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
     known = frozenset(example_names())
 
     async def answered(request: Request, asked: CaseAsked, part: Part) -> Response:
-        try:
-            question = question_of(asked, part, known, file)
-        except InputError as error:
-            return response_of(refused(error.problems))
-        return response_of(await _while_waited_for(request, crew.reply(question)))
+        with _in_language_of(asked.language):
+            try:
+                question = question_of(asked, part, known, file)
+            except InputError as error:
+                return response_of(refused(error.problems))
+            return response_of(await _while_waited_for(request, crew.reply(question)))
 
     @app.get("/", response_class=HTMLResponse, include_in_schema=False)
     def _page() -> str:
-        return _PAGE.format(file="" if file is None else escape(file, quote=True))
+        return _PAGE.format(language=spoken_language(), file="" if file is None else escape(file, quote=True))
 
     @app.get("/{name}.{kind}", include_in_schema=False)
     def _built(name: str, kind: str) -> Response:
@@ -134,9 +135,11 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
         return await answered(request, asked, "file")
 
     @app.get("/api/gallery", **_NUMBERS)
-    async def _gallery(request: Request) -> Response:
+    async def _gallery(request: Request, language: str = "") -> Response:
         """Give machines to begin with, each with a small drawing."""
-        return response_of(await _while_waited_for(request, crew.reply(PageQuestion(None, "gallery"))))
+        known_language = language if language in languages() else None
+        question = PageQuestion(None, "gallery", language=known_language)
+        return response_of(await _while_waited_for(request, crew.reply(question)))
 
     _add_sweeps(app, sweeps, lambda asked: sweep_of(asked, known, file))
     return app
@@ -148,11 +151,12 @@ def _add_sweeps(app: FastAPI, sweeps: Sweeps, question_of_sweep: Callable[[Sweep
     @app.post("/api/sweep", status_code=202, response_model=SweepTaken, responses=_REFUSED)
     async def _begin(asked: SweepAsked) -> Any:
         """Begin to compute facts over values of the file; gives a number by which it is asked for."""
-        try:
-            number = sweeps.begin(question_of_sweep(asked))
-        except InputError as error:
-            return response_of(refused(error.problems))
-        return response_of(too_much_to_do()) if number is None else SweepTaken(number=number)
+        with _in_language_of(asked.language):
+            try:
+                number = sweeps.begin(question_of_sweep(asked))
+            except InputError as error:
+                return response_of(refused(error.problems))
+            return response_of(too_much_to_do()) if number is None else SweepTaken(number=number)
 
     @app.get("/api/sweep/{number}", responses={**_NUMBERS["responses"], 202: {"model": SweepGoing}, **_UNKNOWN})
     async def _reply(number: str) -> Response:
@@ -169,6 +173,11 @@ def _add_sweeps(app: FastAPI, sweeps: Sweeps, question_of_sweep: Callable[[Sweep
         """Stop a sweep, and forget it."""
         if not sweeps.end(number):
             raise HTTPException(404)
+
+
+def _in_language_of(name: str) -> AbstractContextManager[None]:
+    """Say what is said to whoever asks in their language, where there is one of the name."""
+    return in_language(name if name in languages() else None)
 
 
 def _running(crew: Replying, sweeps: Sweeps) -> Callable[[FastAPI], Any]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.analysis import Result
-from cranktrain.language import chosen_language
+from cranktrain.language import spoken_language
 from cranktrain.web.packed import packed
 from cranktrain.web.page import machine_page
 
@@ -47,7 +47,7 @@ def standalone_page(result: Result) -> str:
     data, numbers = packed(page)
     built = files("cranktrain.web") / "built"
     return _PAGE.format(
-        language=chosen_language() or "en",
+        language=spoken_language(),
         title=escape(page.name or page.made_of),
         style=(built / "standalone.css").read_text(encoding="utf-8"),
         script=(built / "standalone.js").read_text(encoding="utf-8"),

@@ -1,0 +1,24 @@
+// The choice of a language, where there are several.
+
+import type { PageCase } from "./data.ts";
+import { html } from "./elements.ts";
+
+export class Languages {
+  readonly element = html("select", { class: "language" });
+
+  constructor(chosen: (code: string) => void) {
+    this.element.addEventListener("change", () => { chosen(this.element.value); });
+  }
+
+  /** Offer the languages that there are, and say in which the page is; whether it was in another before. */
+  take({ language, languages, words }: PageCase): boolean {
+    this.element.replaceChildren(...languages.map((one) => html("option", { value: one.code, lang: one.code }, one.name)));
+    this.element.value = language;
+    this.element.title = words.language;
+    this.element.setAttribute("aria-label", words.language);
+    this.element.hidden = languages.length < 2;
+    const before = document.documentElement.lang;
+    document.documentElement.lang = language;
+    return before !== language;
+  }
+}
