@@ -9,6 +9,8 @@ import threading
 from queue import SimpleQueue
 from typing import Any, BinaryIO
 
+from cranktrain.web.asked import HowFar
+
 LENGTH = struct.Struct("<I")
 """Before each question and reply."""
 
@@ -32,6 +34,7 @@ def work() -> None:
         replies.write(framed(value))
         replies.flush()
 
+    send(HowFar())  # it has imported all
     while True:
         # Written by the service that started this process, and by nobody else.
         question: Any = pickle.loads(questions.get())

@@ -7,6 +7,7 @@ import sys
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
+from math import inf
 from time import monotonic
 from typing import Any
 
@@ -30,7 +31,8 @@ class WorkerProcess:
     def __init__(self) -> None:
         self.cases: deque[Case | None] = deque(maxlen=MOST_KEPT)
         self._process: asyncio.subprocess.Process | None = None
-        self._since = 0.0
+        self._is_ready = False
+        self._since = inf
 
     async def reply(self, question: PageQuestion | SweepQuestion, heard: Callable[[HowFar], None] = _unheard) -> Reply:
         """Have a question answered, and hear how far that is; one that ends meanwhile is one of `GONE`."""
@@ -40,7 +42,7 @@ class WorkerProcess:
         with suppress(ValueError):
             self.cases.remove(question.case)
         self.cases.append(question.case)
-        self._since = monotonic()
+        self._since = monotonic() if self._is_ready else inf
         self._process.stdin.write(framed(question))
         await self._process.stdin.drain()
         while True:
@@ -49,16 +51,20 @@ class WorkerProcess:
             found: Reply | HowFar = pickle.loads(await self._process.stdout.readexactly(length))
             if isinstance(found, Reply):
                 return found
-            heard(found)
+            if self._is_ready:
+                heard(found)
+            else:
+                self._is_ready, self._since = True, monotonic()
 
     @property
     def has_taken(self) -> float:
-        """How long it has been at what it was asked last. [s]"""
+        """How long it has been at what it was asked last, not counting its own start. [s]"""
         return monotonic() - self._since
 
     async def start(self) -> None:
         """Begin, or begin anew; it is ready for questions at once, and answers when it has imported what it needs."""
         self.cases.clear()
+        self._is_ready = False
         apart: dict[str, Any] = {"process_group": 0} if os.name == "posix" else {}  # Ctrl-C does not reach it
         self._process = await asyncio.create_subprocess_exec(
             sys.executable,

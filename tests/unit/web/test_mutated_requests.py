@@ -28,6 +28,7 @@ RIGHT = (
     },
     {"text": TEXT, "files": {"a.csv": "0;1\n90;2"}, "settings": ["cylinder.bore=81 mm"], "tab": "Motion"},
     {"text": TEXT + '[load.x]\non = "main"\nfile = "a.csv"\n', "files": {"a.csv": "deg;N m\n0;1\n90;2\n"}},
+    {"text": TEXT, "vary": {"mechanism.rod_length": "130..160 mm:4"}, "wanted": ["stroke"]},
 )
 ODD = (
     None, True, -1, 10**30, 1e308, float("nan"), "", "=", "a=b", "\x00", "\ud800", "é" * 300, "../x", "{}", [], {},
@@ -35,7 +36,18 @@ ODD = (
     "mechanism.rod_length=1e400 mm", "mechanism.kind=chain", "cylinder.bore=[1,2]", "shaft.main.speed=inf rpm",
     "bank.A.mechanism.stroke=1 mm", "mechanism.rod_length=nan mm", "units.length=furlong", "[" * 50_000,
 )  # fmt: skip
-PATHS = ("/api/case", "/api/tab", "/api/trust", "/api/file", "/api/none", "/api/examples", "/", "/app.css")
+PATHS = (
+    "/api/case",
+    "/api/tab",
+    "/api/trust",
+    "/api/file",
+    "/api/none",
+    "/api/sweep",
+    "/api/gallery",
+    "/api/examples",
+    "/",
+    "/app.css",
+)
 WAYS = ("POST",) * 12 + ("GET", "PUT", "DELETE", "OPTIONS", "HEAD")
 HEADERS = (
     {"Content-Type": "text/plain"}, {"Content-Type": "application/x-www-form-urlencoded"}, {"Origin": "http://x"},

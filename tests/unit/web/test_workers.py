@@ -93,6 +93,15 @@ def test_a_long_question_does_not_stop_another():
     assert answered.status == 200
 
 
+def test_many_short_questions_start_no_other_process():
+    async def asked(workers):
+        assert (await workers.reply(QUESTION)).status == 200
+        replies = await asyncio.gather(*(workers.reply(Naming(Case(str(n)))) for n in range(8)))
+        return {json.loads(reply.content)[0]["given"] for reply in replies}
+
+    assert len(with_workers(asked)) == 1
+
+
 def test_who_waits_at_the_end_is_said_so():
     async def asked(workers):
         long = asyncio.ensure_future(workers.reply(Hanging()))
