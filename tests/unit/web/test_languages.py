@@ -31,8 +31,8 @@ def test_each_is_answered_in_the_language_that_they_ask(client):
         trouble, *_others = client.post("/api/case", json={**WRONG, "language": of}).json()
         return data["language"], data["words"]["undo"], data["machine"]["tabs"][0]["title"], trouble["allowed"]
 
-    expected = {"en": ("en", "Undo", "Motion", NOT_POSITIVE)}
-    expected[PSEUDO] = (PSEUDO, marked("Undo"), marked("Motion"), marked(NOT_POSITIVE))
+    expected = {"en": ("en", "Undo", "Motion", f"{NOT_POSITIVE} mm")}
+    expected[PSEUDO] = (PSEUDO, marked("Undo"), marked("Motion"), f"{marked(NOT_POSITIVE)} mm")
     of = ["en", PSEUDO] * 4
     with ThreadPoolExecutor(4) as threads:
         assert list(threads.map(asked, of)) == [expected[one] for one in of]
