@@ -62,6 +62,7 @@ QUESTION = Question(
         Stage(chambers.gas_in_chambers, applies=chambers.can_be_filled, refuses=True),
         Stage(events.gas_events),
         Stage(pressures.gas_pressures),
+        Stage(pressures.peak_pressures),
         Stage(flows.compressor_capacity, applies=flows.has_compressors),
         Stage(flows.compressor_flow),
         Stage(heat.heat_balance, applies=heat.has_heat),

@@ -73,6 +73,17 @@ class GasPressures(Flagged):
         "14.8",
         line="{indicated_work} / {swept_volume}",
     )
+    cycle: float = field(kw_only=True)
+
+    def work_over(self, crank_angle: CrankAngle) -> Array:
+        """Work of the gas over a cycle of the machine, one of its own or two, shape (design, chamber). [J]"""
+        return self.indicated_work * round(crank_angle.cycle / self.cycle)
+
+
+@record
+class PeakPressures(Flagged):
+    """Where the pressure of the gas is largest, and where it rises most."""
+
     peak_pressure: Extreme = extreme(
         "p_max",
         "Pa",
@@ -102,35 +113,18 @@ class GasPressures(Flagged):
         _THEORY,
         "14.24",
     )
-    cycle: float = field(kw_only=True)
-
-    def work_over(self, crank_angle: CrankAngle) -> Array:
-        """Work of the gas over a cycle of the machine, one of its own or two, shape (design, chamber). [J]"""
-        return self.indicated_work * round(crank_angle.cycle / self.cycle)
 
 
 def gas_pressures(
-    gas: GasInChambers,
-    events: GasEvents,
-    travel: CylinderTravel,
-    swept: SweptVolumes,
-    crank_angle: CrankAngle,
-    motion: PistonMotion,
+    gas: GasInChambers, swept: SweptVolumes, crank_angle: CrankAngle, motion: PistonMotion
 ) -> GasPressures:
-    """Pressure over the cycle, its force, and, whatever the grid, its work and peak; docs/theory/gas, eq. (14.8)."""
+    """Pressure over the cycle, its force, and, whatever the grid, its work; docs/theory/gas, eq. (14.8)."""
     phi = crank_angle.angle
     displacement = motion.piston_displacement
     volume = gas.volume_by(Coefficient(gas.tops - displacement.value, -displacement.first, -displacement.second))
-    curves = gas.pressure_and_slope(phi, volume)
-    pressure, slope = curves
+    pressure, slope = gas.pressure_and_slope(phi, volume)
     # In closed form, or exactly over what was laid through samples.
     work = gas.by_chamber((one, one.fluid.work(one.ready, one.rooms)) for one in gas.fillings)
-    firing, _opposite = gas.dead_centres(travel)
-
-    def shown(after: Array) -> Array:
-        return crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0]
-
-    crest, rise = _largest(gas, events, firing, crank_angle, curves)
     return GasPressures(
         cycle=gas.cycle,
         gas_pressure=pressure,
@@ -138,19 +132,38 @@ def gas_pressures(
         gas_force=gas.force(pressure),
         indicated_work=work,
         indicated_mean_pressure=work / swept.swept_volume,
-        peak_pressure=Extreme(shown(crest.angle), crest.value),
-        peak_pressure_after=crest.angle,
-        steepest_pressure_rise=Extreme(shown(rise.angle), rise.value),
-        unlikely=tuple(_unlikely_pressures(gas, work > 0, crest.value)),
+        unlikely=tuple(_unlikely_ratios(gas, work > 0)),
     )
 
 
-def _unlikely_pressures(gas: GasInChambers, fires: NDArray[np.bool_], peak: Array) -> Iterator[Words]:
-    """Flags of ratios and peaks that no engine has, of chambers that give work, shape (design, chamber)."""
+def _unlikely_ratios(gas: GasInChambers, fires: NDArray[np.bool_]) -> Iterator[Words]:
+    """Flags of ratios that no engine has, of chambers that give work, shape (design, chamber)."""
     ratio = (gas.limits.largest / gas.limits.smallest)[..., 0]
     # What no machine at all has is flagged where the ratio is found.
     yield from flagged(_ENGINE_RATIO, np.where(fires & (ratio <= RATIO.most), ratio, np.nan))
-    yield from flagged(_PEAK_PRESSURE, np.where(fires, peak, np.nan))
+
+
+def peak_pressures(
+    gas: GasInChambers,
+    events: GasEvents,
+    travel: CylinderTravel,
+    pressures: GasPressures,
+    crank_angle: CrankAngle,
+) -> PeakPressures:
+    """Peaks of pressure and of its rise, whatever the grid; docs/theory/gas, eq. (14.24)."""
+    firing, _opposite = gas.dead_centres(travel)
+
+    def shown(after: Array) -> Array:
+        return crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0]
+
+    curves = np.stack([pressures.gas_pressure, pressures.gas_pressure_slope])
+    crest, rise = _largest(gas, events, firing, crank_angle, curves)
+    return PeakPressures(
+        peak_pressure=Extreme(shown(crest.angle), crest.value),
+        peak_pressure_after=crest.angle,
+        steepest_pressure_rise=Extreme(shown(rise.angle), rise.value),
+        unlikely=tuple(flagged(_PEAK_PRESSURE, np.where(pressures.indicated_work > 0, crest.value, np.nan))),
+    )
 
 
 def _largest(

@@ -9,7 +9,7 @@ from cranktrain.language import N_, Message, _
 from cranktrain.questions.gas.flows import CompressorCapacity, CompressorStages
 from cranktrain.questions.gas.heat import HeatBalance
 from cranktrain.questions.gas.powers import BrakePowers, IndicatedPowers
-from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.gas.pressures import GasPressures, PeakPressures
 from cranktrain.saying.rows import AnswerLine, Telling
 
 _AT_DEAD_CENTRE = np.radians(0.005)
@@ -17,21 +17,26 @@ _AT_DEAD_CENTRE = np.radians(0.005)
 
 
 def pressure_rows(
-    of: Telling, pressures: GasPressures, lines: CompressorCapacity | None, powers: IndicatedPowers | None
+    of: Telling,
+    pressures: GasPressures,
+    peaks: PeakPressures | None,
+    lines: CompressorCapacity | None,
+    powers: IndicatedPowers | None,
 ) -> Iterator[AnswerLine]:
     """Largest pressure, unless a compressor's line has it, and the mean indicated one, unless the power has it."""
-    if lines is None or np.any(np.isnan(of.values(lines, "discharge_line_pressure"))):
-        yield of.row(_("peak pressure"), pressures, "peak_pressure", _after(of, pressures))
+    has_line = lines is not None and not np.any(np.isnan(of.values(lines, "discharge_line_pressure")))
+    if peaks is not None and not has_line:
+        yield of.row(_("peak pressure"), peaks, "peak_pressure", _after(of, peaks))
     if powers is None or of.alike(pressures, "indicated_mean_pressure") is None:
         sense = -1.0 if np.sum(of.values(pressures, "indicated_work")) < 0 else 1.0
         yield of.row(_("mean indicated pressure"), pressures, "indicated_mean_pressure", sense=sense)
 
 
-def _after(of: Telling, pressures: GasPressures) -> Message | None:
+def _after(of: Telling, peaks: PeakPressures) -> Message | None:
     """Words for where pressures are largest, if it is at the same angle in all chambers."""
-    if np.all(np.abs(of.values(pressures, "peak_pressure_after")) < _AT_DEAD_CENTRE):
+    if np.all(np.abs(of.values(peaks, "peak_pressure_after")) < _AT_DEAD_CENTRE):
         return _("{values}, at the dead centre")
-    angle = of.alike(pressures, "peak_pressure_after", unit="rad")
+    angle = of.alike(peaks, "peak_pressure_after", unit="rad")
     if angle is None:
         return None
     after, before = _("{values}, {angle} after the dead centre"), _("{values}, {angle} before the dead centre")

@@ -29,7 +29,7 @@ from cranktrain.questions.forces.loaded_machine import LoadedMachine
 from cranktrain.questions.forces.peaks import without_rounding
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.powers import BrakePowers, IndicatedPowers
-from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.gas.pressures import GasPressures, PeakPressures
 from cranktrain.questions.motion.dead_centres import ANGLE_ROUNDING
 from cranktrain.questions.torque.torques import ShaftTorques
 from cranktrain.study.cycle.given import Found
@@ -96,25 +96,20 @@ def _has(stages: StageRun, kind: type) -> bool:
 
 
 def gas_pressures(cycles: Cycles) -> GasPressures:
-    """Work by each fluid's own formula, peaks by the loop; NaN where it was not asked for them."""
-    gas, found = cycles.stages[GasInChambers], cycles.found.pressure
-    travel, swept = cycles.stages[CylinderTravel], cycles.stages[SweptVolumes]
+    """Work by each fluid's own formula."""
+    gas, swept = cycles.stages[GasInChambers], cycles.stages[SweptVolumes]
     work = gas.by_chamber((one, one.fluid.work(one.ready, one.rooms)) for one in gas.fillings)
-    peaks = {}
-    if found.shape[1]:
-        firing, _opposite = gas.dead_centres(travel)
-        zero = cycles.crank_angle.zero[..., 0]
-        after = around_zero(found[..., 1] + zero - firing)
-        after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
-        shown = cycles.crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0]
-        peaks = {"peak_pressure": Extreme(shown, found[..., 0]), "peak_pressure_after": after}
-    return bare(
-        GasPressures,
-        cycle=gas.cycle,
-        indicated_work=work,
-        indicated_mean_pressure=work / swept.swept_volume,
-        **peaks,
-    )
+    return bare(GasPressures, cycle=gas.cycle, indicated_work=work, indicated_mean_pressure=work / swept.swept_volume)
+
+
+def _peak_pressures(cycles: Cycles) -> PeakPressures:
+    gas, found = cycles.stages[GasInChambers], cycles.found.pressure
+    firing, _opposite = gas.dead_centres(cycles.stages[CylinderTravel])
+    zero = cycles.crank_angle.zero[..., 0]
+    after = around_zero(found[..., 1] + zero - firing)
+    after = np.where(np.abs(after) <= ANGLE_ROUNDING, 0.0, after)
+    shown = cycles.crank_angle.counted((firing + after)[..., np.newaxis], gas.cycle)[..., 0]
+    return bare(PeakPressures, peak_pressure=Extreme(shown, found[..., 0]), peak_pressure_after=after)
 
 
 def _joint_peaks(cycles: Cycles) -> Peak:
@@ -203,9 +198,12 @@ def _main_bearing_loads(cycles: Cycles) -> MainBearingLoads:
 
 
 class FromLoop(NamedTuple):
-    """A result that the loop gives: what it is asked for, the names of the facts, and what makes the result of it."""
+    """A result that the loop gives: what it is asked for, the names of the facts, and what makes the result of it.
 
-    ask: str
+    It is not asked for what has formulas of its own.
+    """
+
+    ask: str | None
     names: frozenset[str]
     made: Callable[[Cycles], Any]
 
@@ -215,11 +213,8 @@ def _peaks(*names: str) -> frozenset[str]:
 
 
 ASKS: Mapping[type, FromLoop] = {
-    GasPressures: FromLoop(
-        "pressure",
-        _peaks("peak_pressure") | {"indicated_work", "indicated_mean_pressure", "peak_pressure_after"},
-        gas_pressures,
-    ),
+    GasPressures: FromLoop(None, frozenset({"indicated_work", "indicated_mean_pressure"}), gas_pressures),
+    PeakPressures: FromLoop("pressure", _peaks("peak_pressure") | {"peak_pressure_after"}, _peak_pressures),
     ShaftTorques: FromLoop("torque", _peaks("largest_torque", "smallest_torque") | {"mean_torque"}, _shaft_torques),
     JointForces: FromLoop("joint", _peaks("largest_joint_force"), _joint_forces),
     CrankPinLoads: FromLoop("joint", _peaks("largest_crankpin_load"), _crank_pin_loads),

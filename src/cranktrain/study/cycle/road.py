@@ -56,8 +56,6 @@ from cranktrain.study.cycle.structure import OF_EVENNESS, CycleStructure
 
 _LOOKED_AT = 16
 """Points of the turn of which the best is where a dead centre is looked for."""
-_BY_FORMULA = frozenset({"indicated_work", "indicated_mean_pressure"})
-"""Facts of the gas that need no loop."""
 _OF_PEAKS = frozenset({"peak_pressure_at", "peak_pressure_after"})
 
 
@@ -132,9 +130,7 @@ def way_to(machine: Machine, wanted: Sequence[str]) -> CompiledWay | Words:
             return _("{name} is no fact of the compiled cycle", name=name)
         rests |= own
     rests |= {GasPressures} & by_outcome.keys()
-    asks = {ASKS[kind].ask for kind in rests if kind is not GasPressures}
-    if ASKS[GasPressures].names.difference(_BY_FORMULA).intersection(wanted):
-        asks.add("pressure")
+    asks = {ask for kind in rests if (ask := ASKS[kind].ask) is not None}
     if "flywheel_fluctuation" in wanted:
         asks.add("given")
     if "points" in asks and (reason := _no_bearings(parts)) is not None:

@@ -28,7 +28,7 @@ from cranktrain.panels.sheets.gas.panels import indicator_panel
 from cranktrain.panels.sheets.torque.panels import largest_stars, order_bars, torque_panel
 from cranktrain.questions.forces.carriers import carriers_of
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.gas.pressures import GasPressures, PeakPressures
 from cranktrain.saying.amounts import Amount
 from cranktrain.saying.wording import all_of
 
@@ -101,8 +101,8 @@ def _force_notes(shown: OneDesign, piston: str | None, joints: Sequence[JointFor
         yield said
     if masses.assumed:
         yield _("Rods without a given inertia have that of two masses at their ends.")
-    gas = result.get(GasPressures)
-    yield from () if gas is None else gas.flags
+    for gas in (result.get(GasPressures), result.get(PeakPressures)):
+        yield from () if gas is None else gas.flags
     if piston is not None and has_forces(result, piston):
         yield from _on_forces(shown, piston)
     if joints:
