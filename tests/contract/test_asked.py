@@ -1,5 +1,6 @@
 """A question whose tables a file has not: nothing of it is there, and nothing that is said is lost without its code."""
 
+import os
 import subprocess
 import sys
 
@@ -89,3 +90,18 @@ def test_only_what_a_file_names_is_imported():
 def test_so_many_modules_answer_on_the_screen(name, most):
     code = f"import sys; from cranktrain.cli import main\nsys.argv = ['cranktrain', 'run', '{name}']\nmain()"
     assert len(loaded_by(code)) <= most
+
+
+@pytest.mark.parametrize(("disabled", "looks"), [(None, False), ("", True)])
+def test_the_terminal_loads_nothing_that_looks_for_plugins_of_pydantic(disabled, looks):
+    """Unless somebody wants them; what asks installed packages is a thirtieth of a small run."""
+    code = (
+        "import sys; from cranktrain.cli import main\nsys.argv = ['cranktrain', 'run', 'textbook_78x78']\nmain()\n"
+        "print('importlib.metadata' in sys.modules)\n"
+        "from pydantic.plugin import _loader; print(_loader.PYDANTIC_ENTRY_POINT_GROUP, list(_loader.get_plugins()))"
+    )
+    given = {name: value for name, value in os.environ.items() if name != "PYDANTIC_DISABLE_PLUGINS"}
+    environment = given if disabled is None else given | {"PYDANTIC_DISABLE_PLUGINS": disabled}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
+    # What somebody asks besides is pydantic's own.
+    assert done.stdout.splitlines()[-2:] == [str(looks), "pydantic []"]
