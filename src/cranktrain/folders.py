@@ -2,12 +2,14 @@
 
 import sys
 from collections.abc import Sequence
+from functools import cache
 from importlib import import_module
 from typing import Any, Generic, TypeVar, overload
 
 Member = TypeVar("Member")
 
 
+@cache
 def member_named(package: str, member: str, name: str) -> Any:
     """Give what a folder of a package declares; what holds it is sent to another process with its name alone."""
     return getattr(import_module(f"{package}.{name}"), member)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from typing import Any, TypeVar, cast
 
 import numpy as np
@@ -33,6 +34,7 @@ def on_grid(parts: Parts, step: float) -> Parts:
     return {**parts, CrankAngle: replace(grid, shown=np.arange(n_angles) * grid.cycle / n_angles)}
 
 
+@cache
 def has_curves(outcome: type) -> bool:
     """Whether a stage's result holds any curve."""
     return any(not entry.is_fact for entry in entries(outcome))

@@ -28,7 +28,6 @@ class StageRun:
 
     def __init__(self, stages: Sequence[Stage], parts: Parts) -> None:
         self._order = ordered(tuple(stages))
-        self._stages = {one.gives: one for one in self._order}
         self._known: dict[type, Any] = dict(parts)
         self.labels: dict[str, tuple[str, ...]] = {}
         """Names along the dimensions of all that is known."""
@@ -79,14 +78,12 @@ class StageRun:
 
     def _way(self, kinds: Iterable[type]) -> list[Stage]:
         """Stages that are still to be run, in the order in which they can be."""
-        wanted: set[type] = set()
-        open_ends = list(kinds)
-        while open_ends:
-            kind = open_ends.pop()
-            if kind in self._stages and kind not in self._known and kind not in wanted:
-                wanted.add(kind)
-                open_ends += self._stages[kind].needs.values()
-        return [one for one in self._order if one.gives in wanted]
+        wanted, way = set(kinds), list[Stage]()
+        for one in reversed(self._order):  # in which each stands behind what it needs
+            if one.gives in wanted and one.gives not in self._known:
+                way.append(one)
+                wanted.update(one.needs.values())
+        return way[::-1]
 
     def _given_by(self, stage: Stage) -> object:
         """Run a stage."""

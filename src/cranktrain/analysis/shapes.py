@@ -28,6 +28,8 @@ def refuse_misshapen(outcomes: Iterable[object], labels: Mapping[str, Sequence[s
     """
     for outcome in outcomes:
         quantities, dimensions = _declared(type(outcome))
+        if not quantities:
+            continue
         lengths = {name: len(labels[name]) for name in dimensions if name in labels} | {"crank_angle": n_angles}
         for entry, read, axes in quantities:
             found = read(outcome)

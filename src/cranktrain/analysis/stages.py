@@ -194,5 +194,5 @@ def missing_results(steps: Sequence[Step], absent: Mapping[str, tuple[Message, .
     absent : mapping of str to tuple of str
         As `lacking` gives it; a stage for another kind of machine lacks nothing, and is not spoken of.
     """
-    needs = ((absent.get(one.outcome), name) for one in steps for name in one.results)
-    return tuple(Missing(tuple(results), lacks) for lacks, results in grouped(needs).items() if lacks)
+    needs = ((lacks, name) for one in steps if (lacks := absent.get(one.outcome)) for name in one.results)
+    return tuple(Missing(tuple(results), lacks) for lacks, results in grouped(needs).items())

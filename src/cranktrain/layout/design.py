@@ -51,7 +51,7 @@ class Design:
         """Give the table of that class; None where the file has none."""
         return next((table for table in self.tables.values() if isinstance(table, kind)), None)
 
-    @property
+    @cached_property
     def pistons(self) -> tuple[PlacedMechanism, ...]:
         """Those of its mechanisms that drive a slider."""
         return self.driving("slider")

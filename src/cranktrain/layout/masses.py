@@ -82,7 +82,7 @@ class Masses:
     @property
     def has_friction(self) -> bool:
         """Whether any slider of any design rubs."""
-        return any(np.any(coefficient != 0.0) for batch in self.batches for coefficient in batch.friction)
+        return any((coefficient != 0.0).any() for batch in self.batches for coefficient in batch.friction)
 
     def without_mass(self, *, has_gas: bool = True, has_loads: bool = False) -> Words | None:
         """Say what has no mass, and what alone acts then; None where all has."""

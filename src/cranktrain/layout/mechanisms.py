@@ -7,6 +7,7 @@ from typing import ClassVar, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.grouping import places_of_equal
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.linkage import in_blocks
 from cranktrain.mechanisms.kind import AnyGeometry, AnyKind, AnyMotion, Members, rows
@@ -199,15 +200,17 @@ def distinct(mechanisms: Mechanisms) -> Distinct:
         lead = members.phase + mechanisms.nominal_top[:, batch.index]
         # Rounding leaves the leads of like mechanisms on different throws some 1e-16 apart.
         columns = np.stack([value.ravel() for value in (np.round(lead, 12), *leaves(members.geometry))], axis=1)
-        seen: dict[bytes, int] = {}
         # Adding 0 makes −0 and 0 the same bytes.
-        alike = np.array([seen.setdefault(row.tobytes(), len(seen)) for row in columns + 0.0], dtype=np.intp)
-        _numbers, first = np.unique(alike, return_index=True)
-        origin[:, batch.index] = len(names) + alike.reshape(lead.shape[:2])
-        one_design = first[np.newaxis]
+        alike = places_of_equal(row.tobytes() for row in columns + 0.0).values()
+        number = np.empty(len(columns), dtype=np.intp)
+        for one, places in enumerate(alike, start=len(names)):
+            number[places] = one
+        origin[:, batch.index] = number.reshape(lead.shape[:2])
+        first = [places[0] for places in alike]
+        one_design = np.array([first])
         own = replace(
             members,
-            names=tuple(members.names[row % len(members.names)] for row in map(int, first)),
+            names=tuple(members.names[row % len(members.names)] for row in first),
             geometry=rows(members.geometry, one_design),
             phase=lead.reshape(-1, 1)[one_design],
         )

@@ -102,8 +102,8 @@ def _seen_from_far(
     """Whether links close by far, and whether they are open at one of some angles by more than nothing."""
     near = _NEAR * _all_lengths(kind, geometry)
     gaps = kind.gap(grid, geometry)
-    bend = np.max(np.abs(np.diff(gaps, 2, append=gaps[..., :2])), axis=-1, keepdims=True)
-    least = np.min(gaps, axis=-1, keepdims=True)
+    bend = np.abs(np.diff(gaps, 2, append=gaps[..., :2])).max(axis=-1, keepdims=True)
+    least = gaps.min(axis=-1, keepdims=True)
     return ((least > _FAR * bend) & (least > near))[..., 0], (least < -near)[..., 0]
 
 
@@ -161,8 +161,10 @@ class _Bracket(NamedTuple):
 
 def _first_openings(kind: Kind[Motion, Geometry], geometry: Geometry) -> _Bracket:
     """Scan coarsely for the ways that open the links soonest."""
-    n_lengths, n_rows = len(kind.lengths), len(leaves(geometry)[0])
-    ways = Way(np.repeat(np.arange(n_lengths), 2), np.tile([-1.0, 1.0], n_lengths))
+    n_rows = len(leaves(geometry)[0])
+    # A part of nothing is nothing: it opens no links.
+    lengths = [place for place, name in enumerate(kind.lengths) if named_part(geometry, name).any()]
+    ways = Way(np.repeat(lengths, 2), np.tile([-1.0, 1.0], len(lengths)))
 
     def tried(change: Array) -> Geometry:
         """Every way of changing every mechanism: from (trial, row) to (way, trial, row, 1)."""
@@ -290,14 +292,14 @@ def open_ranges(
         In order of the angle within [0, 2π); a range across 0 ends beyond 2π. One range of a full turn where the links
         never close. A change point, where they only just close, is a range of hardly any length.
     """
-    rounding = _rounding(kind, geometry)
-
-    def curve(phi: Array) -> Array:
-        return (kind.gap(phi, geometry) if gap is None else gap(phi)) - rounding
-
     with np.errstate(all="ignore"):
         if gap is None and _close_by_far(kind, geometry, turn_grid()):
             return ()
+        rounding = _rounding(kind, geometry)
+
+        def curve(phi: Array) -> Array:
+            return (kind.gap(phi, geometry) if gap is None else gap(phi)) - rounding
+
         deepest = smallest(curve)
         if deepest.value[0] > 0:
             return ()

@@ -1,6 +1,7 @@
 """What forces a kind of mechanism gives: its joints, what slides in it, its groups and kernels."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
 from typing import Any, Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
 from cranktrain.linkage.forces import Body, Conditions, Gravity, Reduced, Wrench, reduced_of
@@ -146,12 +147,13 @@ class Dynamics(Generic[_Motion, _Geometry]):
 
         Unless `is_own`, of a slave's shares of its master's joints.
         """
-        places = (
-            place
-            for place, reaction in enumerate(self.reactions)
-            if reaction.role == role and (reaction.on in self.moving) is is_own
-        )
-        return next(places, None)
+        return self._joints.get((role, is_own))
+
+    @cached_property
+    def _joints(self) -> Mapping[tuple[Role, bool], int]:
+        """Place of the first joint with each role, by the role and whether it is the mechanism's own."""
+        places = reversed(list(enumerate(self.reactions)))
+        return {(reaction.role, reaction.on in self.moving): place for place, reaction in places}
 
 
 AnyDynamics: TypeAlias = Dynamics[Any, Any]

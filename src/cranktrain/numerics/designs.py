@@ -48,7 +48,12 @@ def by_design(numbers: Sequence[Any], n_designs: int) -> Any:
         # Members that are alike are often one object.
         different = {id(member): member for member in members}
         listed = {key: leaves(member) for key, member in different.items()}
-        columns = zip(*(listed[id(member)] for member in members), strict=True)
+        rows = [listed[id(member)] for member in members]
+        if all({*map(type, own)} <= _SINGLE for own in listed.values()):
+            table = np.empty((len(rows[0]), n_designs, len(rows), 1))
+            table[..., 0] = np.array(rows).T[:, np.newaxis]
+            return filled(members[0], iter(table))
+        columns = zip(*rows, strict=True)
         return filled(members[0], (_columns(column, n_designs)[..., np.newaxis] for column in columns))
     return _columns(numbers, n_designs)
 

@@ -1,7 +1,7 @@
 """Arrays in nested NamedTuples, as kernels take geometry and give motions: listed, or each changed, by its name too."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,12 +52,11 @@ def each_changed(change: Callable[[Array], Array], parts: Nested) -> Nested:
     (-1.0, (-2.0, -3.0))
     """
     make = cast("Callable[[Iterable[object]], Nested]", getattr(parts, "_make", tuple))
+    each = cast("tuple[Any, ...]", parts)
     return make(
         [
-            each_changed(change, cast("tuple[object, ...]", part))
-            if isinstance(part, tuple)
-            else change(cast(Array, part))
-            for part in parts
+            each_changed(change, cast("tuple[object, ...]", part)) if isinstance(part, tuple) else change(part)
+            for part in each
         ]
     )
 
@@ -65,17 +64,17 @@ def each_changed(change: Callable[[Array], Array], parts: Nested) -> Nested:
 def leaves(parts: tuple[object, ...]) -> list[Array]:
     """List all arrays of nested tuples, in order."""
     found: list[Array] = []
-    for part in parts:
+    for part in cast("tuple[Any, ...]", parts):
         if isinstance(part, tuple):
             found += leaves(cast("tuple[object, ...]", part))
         else:
-            found.append(cast(Array, part))
+            found.append(part)
     return found
 
 
 def side_by_side(found: Sequence[tuple[NDArray[np.intp], Nested]], shape: tuple[int, ...]) -> Nested:
     """Join nested tuples of arrays, each at its places along the axis after the design's, to arrays of that shape."""
-    columns = [np.empty(shape) for _leaf in leaves(found[0][1])]
+    columns = np.empty((len(leaves(found[0][1])), *shape))
     for places, parts in found:
         put(columns, places, leaves(parts))
     return filled(found[0][1], iter(columns))

@@ -186,7 +186,7 @@ def _looked_at(curves: Curves, windows: Windows) -> _Looks:
     above = values - base[:, np.newaxis]
     powers = product(above, _TO_POWERS.T)
     way, is_level = _top(powers, windows.scale[windows.row], windows.level)
-    off = np.sum(np.abs(product(above, _LAST_ORDERS)), axis=-1)
+    off = np.abs(product(above, _LAST_ORDERS)).sum(axis=-1)
     ends = base + product(powers, _FROM_ENDS.T).T
     return _Looks(way, base + polynomial_value(powers.T, way), off, is_level, ends)
 
@@ -220,7 +220,7 @@ def _top(powers: Array, scale: Array, level: Array) -> tuple[Array, NDArray[np.b
     """Where in [−1, 1] each polynomial is largest, shape (p,): from −1 on, at `level`; and whether it is level."""
     tried, alike = product(powers, _TRIED_POWERS.T), _LEVEL * scale
     # The first of what is level: rounding must not move an extreme along a level stretch.
-    highest = np.max(tried, axis=-1)
+    highest = tried.max(axis=-1)
     is_top = tried >= (highest - alike)[:, np.newaxis]
     place = np.argmax(is_top, axis=-1)
     start, apart = _TRIED[place], float(_TRIED[1] - _TRIED[0])
@@ -231,7 +231,7 @@ def _top(powers: Array, scale: Array, level: Array) -> tuple[Array, NDArray[np.b
         move = np.where(second < 0, -first / second, np.sign(first) * apart)
         way = np.minimum(np.maximum(way + np.where(np.isnan(move), 0.0, move), low), high)
     # Places that are alike may have the top between them.
-    is_level = (np.sum(is_top, axis=-1) > 1) & ~(polynomial_value(powers.T, way) > highest + alike)
+    is_level = (is_top.sum(axis=-1) > 1) & ~(polynomial_value(powers.T, way) > highest + alike)
     return np.where(is_level, np.where(place == 0, level, start), way), is_level
 
 
@@ -248,7 +248,7 @@ def _first_of_the_best(tops: _Tops, windows: Windows) -> Peak:
     scale = windows.scale[:, np.newaxis]
     n_pieces = int(np.prod(tops.value.shape[1:]))  # of no curves at all, too
     angle, top, side, is_unsure = (part.reshape(len(scale), n_pieces) for part in tops)
-    best = np.max(top, axis=-1)
+    best = top.max(axis=-1)
     # What is not sure stands behind what it may belong to.
     turn = np.mod(angle + ONE_BREAK, windows.period) + np.where(is_unsure, 2 * windows.wide, 0.0)
     first = np.argmin(np.where(top >= best[:, np.newaxis] - ALIKE * scale, turn, np.inf), axis=-1)

@@ -130,6 +130,6 @@ def has_ended(samples: Array | NDArray[np.complex128], least: float) -> NDArray[
 
 def _relative(difference: Array, derivative: Array, derived: Array) -> Array:
     """Largest |difference| over the last axis, which is kept, in parts of the derivative's peak there."""
-    peak, slope, value = (np.max(np.abs(curve), axis=-1, keepdims=True) for curve in (difference, derivative, derived))
+    peak, slope, value = (np.abs(curve).max(axis=-1, keepdims=True) for curve in (difference, derivative, derived))
     scale = np.maximum(slope, _LAST_DIGITS * value)
     return peak / np.where(scale == 0, 1.0, scale)

@@ -60,7 +60,7 @@ def first_largest_along(values: ArrayLike) -> NDArray[np.intp]:
     known = np.asarray(values, dtype=np.float64)
     sizes = np.where(np.isfinite(known), np.abs(known), 0.0)
     most = np.fmax.reduce(known, axis=-1, keepdims=True, initial=-np.inf)
-    found: NDArray[np.intp] = np.argmax(known >= most - ALIKE * np.max(sizes, axis=-1, keepdims=True), axis=-1)
+    found: NDArray[np.intp] = np.argmax(known >= most - ALIKE * sizes.max(axis=-1, keepdims=True), axis=-1)
     return found
 
 

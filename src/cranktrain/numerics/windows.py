@@ -99,7 +99,8 @@ def _at_breaks(breaks: Array, grid: Array, n_points: int) -> _GridBreaks:
         near[row, (below + beside) % n_points] = True
     after[row, below % n_points] = True
     after[on], after[on[0], on[1] - 1] = True, True
-    return _GridBreaks(near, after & np.roll(after, 1, axis=-1), on)
+    between = after & np.concatenate([after[:, -1:], after[:, :-1]], axis=-1)
+    return _GridBreaks(near, between, on)
 
 
 def _places(known: Array, scale: Array, breaks: _GridBreaks) -> NDArray[np.intp]:
@@ -117,25 +118,31 @@ def _places(known: Array, scale: Array, breaks: _GridBreaks) -> NDArray[np.intp]
         # By how much a parabola's top is higher, and what a curve may rise to at a break.
         bend = 2 * at - before - after
         rise = np.where(breaks.near[row, place], at - np.minimum(before, after), (after - before) ** 2 / (8 * bend))
-        hope = at + np.nan_to_num(2.0 * rise, nan=0.0, posinf=0.0, neginf=0.0)
-        turn = np.nan_to_num((after - before) / same[row, 0], nan=0.0, posinf=0.0, neginf=0.0)
+        hope = at + _known_or_0(2.0 * rise)
+        turn = _known_or_0((after - before) / same[row, 0])
     # Between the sides of a jump a curve may have a value that it has on neither: it counts no more than beside.
     of, there = breaks.on
     surely = known.copy()
     surely[breaks.on] = np.minimum(known[breaks.on], np.maximum(ring[of, there], ring[of, there + 2]))
-    may_be = hope >= (np.max(surely, axis=-1) - same[:, 0])[row]
+    may_be = hope >= (surely.max(axis=-1) - same[:, 0])[row]
     row, place, turn = row[may_be], place[may_be], np.rint(turn[may_be])
     height = np.rint(hope[may_be] / same[row, 0])
     # What is alike on the grid, and beside it too, is the same peak of another throw: the first stands for all.
     order = np.lexsort((place, turn, -height, row))
     keys = np.stack([row, height, turn])[:, order]
-    is_first = np.any(np.diff(keys, axis=-1, prepend=np.nan) != 0, axis=0)
+    is_first = np.ones(order.size, dtype=np.bool_)
+    is_first[1:] = np.any(keys[:, 1:] != keys[:, :-1], axis=0)
     row, place = row[order][is_first], place[order][is_first]
     rank = np.arange(row.size) - np.searchsorted(row, row)
     kept = rank < _MOST
-    places = np.full((len(known), int(np.max(rank[kept], initial=0)) + 1), -1, dtype=np.intp)
+    places = np.full((len(known), int(rank[kept].max(initial=0)) + 1), -1, dtype=np.intp)
     places[row[kept], rank[kept]] = place[kept]
     return places
+
+
+def _known_or_0(values: Array) -> Array:
+    """Values of which those are 0 that are infinite or NaN."""
+    return np.where(np.isfinite(values), values, 0.0)
 
 
 def _edges(breaks: Array, centre: Array, wide: float, period: float) -> Array:
@@ -148,13 +155,13 @@ def _edges(breaks: Array, centre: Array, wide: float, period: float) -> Array:
     curve, peak = (index[is_inside] for index in np.nonzero(is_near)[:2])
     place: NDArray[np.intp] = curve * centre.shape[-1] + peak
     rank: NDArray[np.intp] = np.arange(place.size) - np.searchsorted(place, place)
-    inside = np.full((*centre.shape, int(np.max(rank, initial=-1)) + 1), wide)
+    inside = np.full((*centre.shape, int(rank.max(initial=-1)) + 1), wide)
     inside[curve, peak, rank] = away[is_inside]
     inside.sort(axis=-1)
     if inside.shape[-1]:
         inside[..., 1:][np.diff(inside, axis=-1) < ONE_BREAK] = wide
         inside.sort(axis=-1)
-        inside = inside[..., : int(np.max(np.sum(inside < wide, axis=-1), initial=0))]
+        inside = inside[..., : int((inside < wide).sum(axis=-1).max(initial=0))]
     ends = np.full((*centre.shape, 1), wide)
     return np.concatenate([-ends, inside, ends], axis=-1)
 
@@ -180,7 +187,7 @@ def in_slots(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Array,
     ranked = which[order]
     slot = np.empty_like(which)
     slot[order] = np.arange(which.size) - np.searchsorted(ranked, ranked)
-    laid = np.zeros((n_rows, int(np.max(slot, initial=0)) + 1, angle.shape[-1]))
+    laid = np.zeros((n_rows, int(slot.max(initial=0)) + 1, angle.shape[-1]))
     laid[which, slot] = angle
     return laid, slot
 
@@ -190,7 +197,8 @@ def in_windows(which: NDArray[np.intp], angle: Array, n_rows: int) -> tuple[Arra
     # What is asked of one row at one first and one last angle stands together, and mostly is one window.
     order = np.lexsort((angle[:, -1], angle[:, 0], which))
     asked = np.column_stack([which, angle])[order]
-    is_new = np.any(np.diff(asked, axis=0, prepend=np.nan) != 0.0, axis=-1)
+    is_new = np.ones(order.size, dtype=np.bool_)
+    is_new[1:] = np.any(asked[1:] != asked[:-1], axis=-1)
     number = np.empty_like(which)
     number[order] = np.cumsum(is_new) - 1
     first = order[is_new]

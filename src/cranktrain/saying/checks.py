@@ -148,14 +148,13 @@ def flagged(limit: Limit, values: Array, named: Array | None = None, whose: Sequ
         What the values along the last axis are of, for {whose} in the sentence.
     """
     beyond = np.fmax(np.fmax(values - limit.most, limit.least - values), 0.0)
-    told = np.ravel(values if named is None else named)
 
     def said(place: int) -> Message:
-        value = float(told[place])
+        value = float(np.ravel(values if named is None else named)[place])
         written = f"{shown(value, limit.unit):.4g} {limit.unit}" if limit.unit else f"{value:.4g}"
         return _(limit.sentence, value=written, whose=whose[place % len(whose)])
 
-    if np.any(beyond > 0):
+    if (beyond > 0).any():
         of_designs = beyond.reshape(len(beyond), -1)
         size = of_designs.shape[1]
         own = {

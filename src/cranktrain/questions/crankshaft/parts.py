@@ -174,7 +174,7 @@ def _declared(designs: Designs, number: int, name: str, table: CrankshaftTable, 
     prefix = "" if len(designs.together.shafts) == 1 else f"{name}."
 
     def pairs(ends: Sequence[tuple[Array, Array]]) -> Array:
-        return np.stack([by_design([pair[end] for pair in ends]) for end in (0, 1)], axis=-1)
+        return by_design([one for pair in ends for one in pair]).reshape(designs.n_designs, -1, 2)
 
     planes, places = pairs(line.planes), by_design([bearing.z for bearing in bearings])
     standing_on = np.sum(planes[0, :, :1] < places[0], axis=0)

@@ -88,10 +88,10 @@ class ShaftLine:
 
 def table_of(spec: CrankshaftSpec, shaft: str) -> CrankshaftTable | None:
     """What the file says of one shaft: its own table over that of all; None where it says no section of it."""
-    of_shaft = spec.overrides.get(shaft, CrankshaftTable())
+    of_shaft = spec.overrides.get(shaft)
+    if of_shaft is None:
+        return None if all(getattr(spec, name) is None for name in NEEDED) else spec
     given = {name: _either(getattr(of_shaft, name), getattr(spec, name)) for name in CrankshaftTable.model_fields}
-    if shaft not in spec.overrides and all(given[name] is None for name in NEEDED):
-        return None
     return CrankshaftTable.model_construct(**given)
 
 
@@ -232,7 +232,7 @@ def _with_common(table: CrankshaftTable, bearing: BearingSpec) -> BearingSpec:
 
 
 def _first(value: Array) -> float:
-    return plain(np.ravel(value)[0])
+    return plain(value if np.ndim(value) == 0 else value[0])
 
 
 def each_of(given: Sequence[Given] | None, n: int) -> tuple[Array, ...]:

@@ -1,7 +1,8 @@
 """Firing: when each cylinder fires, at what intervals, and whether its true dead centre is there."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import ClassVar
 
 import numpy as np
@@ -23,6 +24,8 @@ from cranktrain.saying.catalogue import quantity
 _CYLINDER = ("cylinder",)
 _SAME = 1e-9
 """Firings closer than this are simultaneous. [rad]"""
+_KEPT = 256
+"""Orders of which it is kept how they fire."""
 
 
 @record
@@ -117,9 +120,7 @@ def firing(
     top = pistons.nominal_top[:, cylinders.leading, 0]
     nominal = within_turn(top)
     shift = travel.inner - top
-    # Designs mostly have their tops at the same angles.
-    found: dict[bytes, tuple[Array, int]] = {}
-    each = [_of_tops(found, tops[order.order], cycle.length) for tops in nominal] if order.angles is None else []
+    each = [_of_tops(tops[order.order], cycle.length) for tops in nominal] if order.angles is None else []
     in_order = np.stack([own for own, _choices in each]) if order.angles is None else order.angles[:, order.order]
     angles, interval = np.empty_like(nominal), np.empty_like(nominal)
     angles[:, order.order] = in_order
@@ -134,13 +135,10 @@ def firing(
     )
 
 
-def _of_tops(found: dict[bytes, tuple[Array, int]], tops: Array, cycle: float) -> tuple[Array, int]:
+def _of_tops(tops: Array, cycle: float) -> tuple[Array, int]:
     """Firing angles for tops in the order of firing, NaN where there are none, and of how many choices of turns."""
-    key = tops.tobytes()
-    if key not in found:
-        angles = firing_angles(tops, cycle)
-        found[key] = np.full(tops.shape, np.nan) if angles is None else angles, firing_choices(tops, cycle)
-    return found[key]
+    angles = firing_angles(tops, cycle)
+    return np.full(tops.shape, np.nan) if angles is None else angles, firing_choices(tops, cycle)
 
 
 def has_firing(cycle: Cycle | None) -> bool:
@@ -171,38 +169,57 @@ def firing_angles(tops: Array, cycle: float) -> Array | None:
         of turns gives this order. Cylinders fire at the same time only where more of
         their pistons are at their tops together than the cycle has turns.
     """
-    apart = _chosen(tops, cycle, least=_SAME)
-    from_each_other = np.abs(np.mod(tops - tops[:, np.newaxis] + np.pi, 2 * np.pi) - np.pi)
-    together = int(np.max(np.sum(from_each_other < _SAME, axis=1)))
-    return _chosen(tops, cycle, least=-_SAME) if apart is None and together > round(cycle / (2 * np.pi)) else apart
+    angles = _angles(tuple(tops.tolist()), cycle)
+    return None if angles is None else np.array(angles)
 
 
 def firing_choices(tops: Array, cycle: float) -> int:
     """Count the choices of turns that give an order; parameters as of `firing_angles`."""
+    return _choices(tuple(tops.tolist()), cycle)
+
+
+# Designs, and a machine whose other numbers are changed, mostly have their tops at the same angles.
+
+
+@lru_cache(maxsize=_KEPT)
+def _angles(tops: tuple[float, ...], cycle: float) -> tuple[float, ...] | None:
+    """What `firing_angles` gives."""
+    apart = _chosen(tops, cycle, least=_SAME)
+    if apart is not None:
+        return apart
+    at = np.array(tops)
+    from_each_other = np.abs(np.mod(at - at[:, np.newaxis] + np.pi, 2 * np.pi) - np.pi)
+    together = int(np.max(np.sum(from_each_other < _SAME, axis=1)))
+    return _chosen(tops, cycle, least=-_SAME) if together > round(cycle / (2 * np.pi)) else None
+
+
+@lru_cache(maxsize=_KEPT)
+def _choices(tops: tuple[float, ...], cycle: float) -> int:
+    """What `firing_choices` gives."""
     return _n_choices(tops, cycle, least=_SAME) or _n_choices(tops, cycle, least=-_SAME)
 
 
-def _n_choices(tops: Array, cycle: float, least: float) -> int:
+def _n_choices(tops: Sequence[float], cycle: float, least: float) -> int:
     """Count the choices by which the order rises."""
     # For each possible angle of the piston reached so far: by how many choices it is reached.
-    ways: list[tuple[float, int]] = [(float(tops[0]), 1)]
+    ways: list[tuple[float, int]] = [(tops[0], 1)]
     for options in _options(tops, cycle):
         ways = [(angle, sum(n for before, n in ways if angle - before > least)) for angle in options]
     return sum(n for _angle, n in ways)
 
 
-def _options(tops: Array, cycle: float) -> Iterator[list[float]]:
+def _options(tops: Sequence[float], cycle: float) -> Iterator[list[float]]:
     """Give the angles at which each piston but the first can fire within a cycle from the first one's angle."""
-    start, *others = tops.tolist()
+    start, *others = tops
     for top in others:
         first = start + (top - start) % (2 * np.pi)
         first = start if first > start + 2 * np.pi - _SAME else first
         yield [first + 2 * np.pi * turn for turn in range(round(cycle / (2 * np.pi)))]
 
 
-def _chosen(tops: Array, cycle: float, least: float) -> Array | None:
+def _chosen(tops: Sequence[float], cycle: float, least: float) -> tuple[float, ...] | None:
     """Choose among the turns by the smallest sum of squared intervals; None where the order cannot rise."""
-    start = float(tops[0])
+    start = tops[0]
     # For each possible angle of the piston reached so far: the sum of squares and the angles that led there.
     ways: list[tuple[float, list[float]]] = [(0.0, [start])]
     for options in _options(tops, cycle):
@@ -213,4 +230,4 @@ def _chosen(tops: Array, cycle: float, least: float) -> Array | None:
         ]
         if not ways:
             return None
-    return np.array(min((cost + (start + cycle - path[-1]) ** 2, path) for cost, path in ways)[1])
+    return tuple(min((cost + (start + cycle - path[-1]) ** 2, path) for cost, path in ways)[1])

@@ -56,7 +56,7 @@ class Chambers:
         """Names of the chambers, and of their banks."""
         return {"chamber": self.names, "bank": tuple(dict.fromkeys(self.banks))}
 
-    @property
+    @cached_property
     def area(self) -> Array:
         """Area of each chamber, shape (design, chamber). [m²]"""
         return np.max(np.abs(self.areas), axis=1)

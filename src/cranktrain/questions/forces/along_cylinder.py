@@ -51,7 +51,7 @@ def are_loaded(pistons: Pistons, loads: Loads | None) -> bool:
 def are_heavy(pistons: Pistons, masses: Masses | None) -> bool:
     """Whether anything weighs on a piston that hangs on a rod."""
     batches = () if masses is None else masses.batches
-    return on_rods(pistons) and any(np.any(part != 0.0) for made in batches for part in made.gravity)
+    return on_rods(pistons) and any((part != 0.0).any() for made in batches for part in made.gravity)
 
 
 def piston_loads(pistons: Pistons, loaded: LoadedMachine, solved: SolvedCycle, crank_angle: CrankAngle) -> PistonLoads:

@@ -1,6 +1,7 @@
 """Which mechanisms of a machine hang on which, and which of them drive its pistons."""
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -27,7 +28,7 @@ class Carriers:
     master: NDArray[np.intp]
     piston: NDArray[np.intp]
 
-    @property
+    @cached_property
     def driven(self) -> NDArray[np.intp]:
         """Which mechanism drives each piston, shape (piston,)."""
         found = np.flatnonzero(self.piston >= 0)

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cranktrain.grouping import grouped
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.load_laws import ByAngle, ByTravel, Law
 from cranktrain.layout.loads import LinkLoad
@@ -80,7 +81,8 @@ def force_events(
 ) -> ForceEvents:
     """Collect the events of gas and friction; docs/theory/harmonics-and-orders, eq. (15.17)."""
     n_designs = len(crank_angle.zero)
-    own = {i: [_beside_rows(np.empty((n_designs, 0)))] for i in range(len(loaded.mechanisms.names))}
+    none = _beside_rows(np.empty((n_designs, 0)))
+    own = {i: [none] for i in range(len(loaded.mechanisms.names))}
     if gas is not None and loaded.gas is not None:
         for chamber, mechanism in enumerate(loaded.carriers.driven[loaded.gas.chambers.leading].tolist()):
             own[mechanism].append(_beside_rows(gas.angle[:, chamber]))
@@ -97,9 +99,10 @@ def force_events(
             parts.append(_beside_rows(np.broadcast_to(curve.corners, (n_designs, curve.corners.shape[-1]))))
     each = [np.concatenate([part.angle for part in parts], axis=-1) for parts in own.values()]
     misses = np.concatenate([part.misses for parts in own.values() for part in parts], axis=-1)
-    shared = [
-        np.concatenate([each[i] for i in np.flatnonzero(loaded.sharing == label)], axis=-1) for label in loaded.sharing
-    ]
+    sharing = loaded.sharing.tolist()
+    together = grouped(zip(sharing, each, strict=True))
+    of_label = {label: np.concatenate(parts, axis=-1) for label, parts in together.items()}
+    shared = [of_label[label] for label in sharing]
     angle = np.full((n_designs, len(shared), max(part.shape[-1] for part in shared)), np.nan)
     for mechanism, part in enumerate(shared):
         angle[:, mechanism, : part.shape[-1]] = part

@@ -58,4 +58,4 @@ def _largest_force(one: SolvedBatch) -> Array:
 
 def _largest(curves: Iterable[Array]) -> Array:
     """Largest value of several curves of shape (..., n), each of which may stand for all."""
-    return np.max(reduce(np.maximum, map(np.atleast_1d, curves)), axis=-1)
+    return np.atleast_1d(reduce(np.maximum, curves)).max(axis=-1)

@@ -79,7 +79,7 @@ def joint_curves(loaded: LoadedMachine, solved: SolvedCycle) -> JointCurves:
 
 def _sizes(joints: Sequence[Member], found: Sequence[SolvedBatch]) -> Array:
     """Sizes of the forces in joints, of mechanisms that are solved at any angles."""
-    return force_size(*_reactions(joints, found)[:2])
+    return force_size(*parts_of(joints, found, lambda batch, place: found[batch].forces.joints[place][:2]))
 
 
 def joint_forces(loaded: LoadedMachine, solved: SolvedCycle, curves: JointCurves, peaks: ForcePeaks) -> JointForces:

@@ -73,15 +73,15 @@ def mechanism_torques(
     equations = reduced_batches(loaded, solved.batches)
     for batch, one, equation in zip(loaded.mechanisms.batches, solved.batches, equations, strict=True):
         by_work[:, batch.index] = torque_by_work(equation, one.conditions.drive) - one.forces.friction_torque
-        inertia = inertia + np.sum(equation.inertia.value, axis=1)
-        slope = slope + np.sum(equation.inertia.first, axis=1)
-    own = np.sum(by_reactions, axis=1)
+        inertia = inertia + equation.inertia.value.sum(axis=1)
+        slope = slope + equation.inertia.first.sum(axis=1)
+    own = by_reactions.sum(axis=1)
     speed = loaded.speed.drive(crank_angle.angle).speed
     given = () if on_shafts is None else on_shafts.given
     driving = own - sum(load.value(crank_angle.shown, speed)[:, 0] for load in given)
     # Where forces stand across the way of their pins there is no torque, but rounding of forces times arms.
-    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + np.sum(times_arms.value, axis=1)
-    residual = np.max(np.abs(own - np.sum(by_work, axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
+    scale = np.max(np.sum(np.abs(by_work), axis=1), axis=-1) + times_arms.value.sum(axis=1)
+    residual = np.max(np.abs(own - by_work.sum(axis=1)), axis=-1) / np.where(scale > 0, scale, 1.0)
     residual, reasons = loaded.judged(residual)
     return MechanismTorques(
         from_mechanisms=own,

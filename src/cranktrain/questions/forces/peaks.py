@@ -139,8 +139,8 @@ def without_rounding(peak: Peak, gross: Array) -> Peak:
 
 def relative(difference: Array, whole: Array) -> Array:
     """Largest difference in parts of the largest value, shapes (..., n); NaN where there is nothing."""
-    peak = np.max(np.abs(whole), axis=-1)
-    return np.max(np.abs(difference), axis=-1) / np.where(peak > 0, peak, np.nan)
+    peak = np.abs(whole).max(axis=-1)
+    return np.abs(difference).max(axis=-1) / np.where(peak > 0, peak, np.nan)
 
 
 def one_sided(peaks: Sequence[tuple[Words, Peak]], labels: Sequence[str] = ("",)) -> Iterator[Words]:

@@ -162,9 +162,9 @@ def pin_residual(loaded: LoadedMachine, rods: Sequence[tuple[RodsInPistons, Forc
 
 def _share(off: Array, acting: Array) -> Array:
     """Largest difference over the largest of what acts there, of pistons of shape (design, member, n); by design."""
-    peak = np.max(acting, axis=-1)
-    share = np.max(np.abs(off), axis=-1) / np.where(peak > 0, peak, 1.0)
-    return np.max(np.where(np.isnan(share), 0.0, share), axis=-1)
+    peak = acting.max(axis=-1)
+    share = np.abs(off).max(axis=-1) / np.where(peak > 0, peak, 1.0)
+    return np.where(np.isnan(share), 0.0, share).max(axis=-1)
 
 
 def _handed_over(loaded: LoadedMachine, rods: Sequence[RodsInPistons]) -> Wrench:

@@ -52,10 +52,14 @@ def declared_rod_loads(designs: Designs, *, has_gas: bool) -> DeclaredRodLoads |
         return None
     spec = given or RodSpec()
     pistons = designs.together.pistons
+    # Most pistons have no table of their own: what the common one says is looked up once.
+    tables = [tuple(name for name in (place.bank, place.name) if name in spec.overrides) for place in pistons]
+    different = dict(zip(tables, pistons, strict=True))
 
     def each(key: str) -> Array:
-        found = [nearest(spec, place, key)[1] for place in pistons]
-        return designs.by_design([np.nan if one is None else one.array for one in found])
+        found = {own: nearest(spec, place, key)[1] for own, place in different.items()}
+        numbers = {own: np.nan if one is None else one.array for own, one in found.items()}
+        return designs.by_design([numbers[own] for own in tables])
 
     arc, share = designs.by_design([spec.least_arc.array, spec.least_share.array]).T
     return DeclaredRodLoads(

@@ -70,7 +70,7 @@ class Source(NamedTuple):
 
     def without_mean(self, cycle: float) -> Array:
         """All parts together less their mean, shape (point,). [N·m]"""
-        values = np.sum(self.values, axis=0)
+        values = self.values.sum(axis=0)
         return values - np.sum(values * self.subintervals.weight) / cycle
 
     def in_steps(self, step: float) -> Iterator[tuple[float, list[int]]]:
@@ -112,9 +112,9 @@ class TorqueSources:
     def mean(self, cycle: float) -> Array:
         """Mean torque on every shaft, shape (design, shaft). [N·m]"""
         # At a speed that varies equal steps see work in the inertia that it does not do.
-        wrong = np.mean(self.inertia, axis=-1) - np.where(np.any(self.inertia, axis=-1), self.spent / cycle, 0.0)
+        wrong = self.inertia.mean(axis=-1) - np.where(np.any(self.inertia, axis=-1), self.spent / cycle, 0.0)
         wrong = wrong + self.surplus / cycle
-        found = np.mean(self.rest, axis=-1) + wrong[:, np.newaxis] / self.rest.shape[1]
+        found = self.rest.mean(axis=-1) + wrong[:, np.newaxis] / self.rest.shape[1]
         for one in self.sources:
             own = np.broadcast_to(np.sum(one.values * one.subintervals.weight, axis=-1) / cycle, one.shafts.shape)
             np.add.at(found[one.design], one.shafts, own)
@@ -130,7 +130,7 @@ class TorqueSources:
         cycle : float
             [rad]
         """
-        smooth = harmonics(np.sum(self.rest, axis=1), cycle).vectors[..., : order.size]
+        smooth = harmonics(self.rest.sum(axis=1), cycle).vectors[..., : order.size]
         found = np.zeros((len(smooth), order.size), dtype=np.complex128)
         found[:, : smooth.shape[-1]] = smooth
         share = np.where(order > 0, 2.0, 1.0) / cycle
@@ -140,7 +140,7 @@ class TorqueSources:
             waves[0], waves[1:] = 1.0, phasor(-order[1] * one.subintervals.angle)
             waves = np.multiply.accumulate(waves, axis=0)
             # A sum and no matrix product, for which threads would be woken.
-            own = share * np.sum(waves * (np.sum(one.values, axis=0) * one.subintervals.weight), axis=-1)
+            own = share * np.sum(waves * (one.values.sum(axis=0) * one.subintervals.weight), axis=-1)
             found[one.design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
         return found
 
@@ -158,7 +158,7 @@ class TorqueSources:
         -------
         Array, shape (design, n). [J]
         """
-        found = fourier_integral(np.sum(self.rest, axis=1) + self.inertia, cycle).samples + self.kept
+        found = fourier_integral(self.rest.sum(axis=1) + self.inertia, cycle).samples + self.kept
         step = float(shown[1] - shown[0])
         for one in self.sources:
             values = one.without_mean(cycle)
@@ -185,7 +185,7 @@ class TorqueSources:
         -------
         before, after : Coefficient, shape (design, n + m)
         """
-        torque = np.sum(self.rest, axis=1) + self.inertia
+        torque = self.rest.sum(axis=1) + self.inertia
         torque = torque - np.mean(torque, axis=-1, keepdims=True)
         smooth = Coefficient(
             fourier_integral(torque, cycle).samples, torque, spectral_derivative(torque) * (TURN / cycle)
@@ -228,7 +228,7 @@ def torque_sources(
     spent = np.zeros(len(by_shaft))
     if loaded.speed.curve is not None and loaded.speed.curve.moment is not None:
         each = torques.reduced_inertia * loaded.speed.curve.moment[:, 0]
-        spent = np.mean(each, axis=-1) * crank_angle.cycle
+        spent = each.mean(axis=-1) * crank_angle.cycle
     if loaded.jumps:
         energy = torques.reduced_inertia * drive.speed**2 / 2
         whole, seen = _of_machines(loaded, shafts, crank_angle, events)

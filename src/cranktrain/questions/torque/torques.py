@@ -105,9 +105,9 @@ def shaft_torques(
     """
     by_mechanism = -driving_torques(loaded, solved.batches)
     by_shaft = gathered(by_mechanism, shafts.shaft, len(shafts.names))
-    whole = np.sum(by_shaft, axis=1)
+    whole = by_shaft.sum(axis=1)
     mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
-    gross = np.sum(times_arms.value, axis=-1)
+    gross = times_arms.value.sum(axis=-1)
     largest, opposite, in_journals = (
         Peak(*(part[:, rows] for part in peaks.of(curves))) for rows in (0, 1, slice(2, None))
     )

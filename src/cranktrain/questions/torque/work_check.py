@@ -75,7 +75,7 @@ def _apart(
     What inertia takes at a moment of acceleration, the shaft does not get.
     """
     done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
-    return np.abs(done - np.sum(works, axis=-1)) / _work_size(works, loaded, solved, times_arms)
+    return np.abs(done - works.sum(axis=-1)) / _work_size(works, loaded, solved, times_arms)
 
 
 def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle, times_arms: ForcesTimesArms) -> Array:
@@ -84,7 +84,7 @@ def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle, times_a
     They may be none, and what works on the shaft may cancel: that leaves rounding of forces times arms. Where links are
     far longer than the stroke their places are rounded, and the way that is left of them.
     """
-    on_the_way = np.sum(times_arms.value, axis=1)
+    on_the_way = times_arms.value.sum(axis=1)
     there = np.sum(times_arms.force * farthest_places(loaded, solved), axis=1)
     size = np.maximum(np.sum(np.abs(works), axis=-1), np.maximum(_SHARE * on_the_way, _FAR * there))
     return np.where(size > 0, size, 1.0)
@@ -106,7 +106,7 @@ def work_balance(
     -----
     docs/theory/forces, eq. (13.40).
     """
-    total = np.sum(pressures.indicated_work, axis=-1)
+    total = pressures.indicated_work.sum(axis=-1)
     if loaded.jumps:
         return WorkBalance(total)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
