@@ -25,6 +25,8 @@ export class Bar {
   private readonly machinesLabel = html("label", {});
   private readonly beside = html("select", {});
   private readonly besideLabel = html("label", {});
+  /** What a narrow window shows when it is asked for. */
+  private readonly others = html("button", { type: "button", class: "others", "aria-expanded": "false" }, "⋯");
   private readonly buttons: Readonly<Record<"gallery" | "open" | "undo" | "redo" | "save" | "keep", HTMLButtonElement>>;
   /** Cases to compare with, by what they are called. */
   private readonly cases = new Map<string, Asked>();
@@ -47,7 +49,11 @@ export class Bar {
     this.machines.addEventListener("change", () => { doings.machine(this.machines.value); });
     this.beside.addEventListener("change", () => { doings.beside(this.cases.get(this.beside.value) ?? null); });
     const { gallery, open, undo, redo, save, keep } = this.buttons;
-    this.element = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.machinesLabel, gallery, open, undo, redo, save, this.besideLabel, keep, ...more);
+    const rest = html("div", { class: "rest" }, gallery, open, save, this.besideLabel, keep, ...more);
+    this.element = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.machinesLabel, undo, redo, this.others, rest);
+    this.others.addEventListener("click", () => {
+      this.others.setAttribute("aria-expanded", `${this.others.getAttribute("aria-expanded") !== "true"}`);
+    });
   }
 
   /** Say what is shown, and whether there is a step back and on. */
@@ -57,6 +63,7 @@ export class Bar {
     this.machines.value = asked.sent ? SENT : asked.machine;
     this.machinesLabel.replaceChildren(`${words.machine} `, this.machines);
     for (const name of ["gallery", "open", "undo", "redo", "save", "keep"] as const) this.buttons[name].textContent = words[name];
+    this.others.setAttribute("aria-label", words.others);
     this.steps(has);
     this.fillCases(asked, words);
   }

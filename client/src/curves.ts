@@ -13,10 +13,16 @@ import { said, symbol } from "./words.ts";
 const AXIS = 54;
 /** Between crank angles of tables. [deg] */
 const STEP = 30;
+/** Between figures at an axis. */
+const CLEAR = 28;
 /** Of a table of a curve over something else. */
 const MOST_ROWS = 25;
 const LETTERS = 11;
-const STACKED = 132;
+/** Heights of a panel in a stack, the last of them as high as lets all of it be seen at once. */
+const STACKED = [96, 132] as const;
+/** What stands over and under a stack; and over each of its panels. */
+const AROUND = 330;
+const HEAD = 28;
 const ALONE = 270;
 const LAST = 30;
 /** Of a scale: room over and under curves, in parts of their height; where curves come nearer to zero it is shown. */
@@ -45,9 +51,10 @@ export class ShownCurves implements Shown {
 
   constructor(part: PageCurves, numbers: string, turned: (place: number) => void, unit: string) {
     this.part = part;
+    const height = (): number => Math.round(Math.min(Math.max((innerHeight - AROUND) / part.panels.length - HEAD, STACKED[0]), STACKED[1]));
     this.panels = part.panels.map((panel, place) => {
       const isLast = !part.is_stack || place === part.panels.length - 1;
-      return new ShownPanel(panel, { over: part.is_stack ? part.over : panel.over, isStacked: part.is_stack, isLast, numbers, turned, unit });
+      return new ShownPanel(panel, { over: part.is_stack ? part.over : panel.over, isStacked: part.is_stack, isLast, height, numbers, turned, unit });
     });
     this.element = html("div", { class: part.is_stack ? "stack" : "card" }, ...this.panels.map((one) => one.element));
   }
@@ -78,6 +85,8 @@ interface Manner {
   readonly over: string;
   readonly isStacked: boolean;
   readonly isLast: boolean;
+  /** Of a panel in a stack. */
+  readonly height: () => number;
   /** What numbers are called. */
   readonly numbers: string;
   readonly turned: (place: number) => void;
@@ -262,9 +271,9 @@ class ShownPanel {
     const grid = { stroke: this.ink("grid"), width: finer };
     const font = this.font(finer);
     const isTurn = this.hasCursor && this.panel.across_unit === "°";
-    const across = (): number[] => (isTurn ? angles(...this.reach) : ticks(...this.reach, Math.max(3, Math.floor(width / 75))));
+    const across = (): number[] => (isTurn ? angles(...this.reach, width - AXIS) : ticks(...this.reach, Math.max(3, Math.floor(width / 75))));
     const up = (): number[] => ticks(...this.limits, this.manner.isStacked ? 4 : 5);
-    const height = (this.manner.isStacked ? STACKED : ALONE) + (this.manner.isLast ? LAST : 8);
+    const height = (this.manner.isStacked ? this.manner.height() : ALONE) + (this.manner.isLast ? LAST : 8);
     const steps = (found: readonly number[]): number => (found[1] ?? 1) - (found[0] ?? 0);
     return {
       width: width * finer,
@@ -397,8 +406,11 @@ class ShownPanel {
   }
 }
 
-/** Crank angles at an axis: each 30°, each 60° of a longer cycle. */
-const angles = (low: number, high: number): number[] => each(low, high, high - low > 360.5 ? 2 * STEP : STEP);
+/** Crank angles at an axis so wide: each 30°, or fewer, so that their figures stand clear. */
+function angles(low: number, high: number, width: number): number[] {
+  const step = [1, 2, 3, 6].map((times) => times * STEP).find((one) => (one * width) / (high - low) >= CLEAR) ?? 360;
+  return each(low, high, step);
+}
 
 /** Places from low to high, so far apart. */
 const each = (low: number, high: number, step: number): number[] =>

@@ -499,6 +499,7 @@ export interface CaseWords {
   readonly broken_link: string;
   readonly design: DesignWords;
   readonly move: string;
+  readonly others: string;
   readonly language: string;
   readonly no_answer: string;
 }

@@ -3,6 +3,9 @@
 import type { NumbersOfTable, PageInput } from "./data.ts";
 import { html } from "./elements.ts";
 
+/** Letters from which on a number has a line of its own. */
+const LONG = 12;
+
 /** What is wrong with a number or a machine. */
 export interface Problem {
   readonly path: string;
@@ -42,6 +45,7 @@ export class Form {
         if (field.input.value !== one.text) field.input.value = one.text;
       }
       field.input.closest(".field")?.classList.toggle("changed", settings.has(one.path));
+      field.input.closest(".field")?.classList.toggle("long", one.text.length > LONG);
     }
   }
 

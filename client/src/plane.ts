@@ -30,7 +30,12 @@ function polar(diagram: PolarDiagram, unit: string, reach: number, numbers: stri
   const drawn = picture("polar", [-half, -half, POLAR, POLAR], svg("title", {}, diagram.title));
   const rings = ticks(0, reach, 3).filter((one) => one > 0);
   const step = rings[0] ?? reach;
-  for (const ring of rings) drawn.append(svg("circle", { class: "ring", r: x(ring) }), svg("text", { class: "ring", x: x(ring) * 0.707 + 2, y: -x(ring) * 0.707 - 2 }, figure(ring, step)));
+  const labels: { x: number; y: number }[] = [];
+  for (const ring of rings) {
+    const place = { x: x(ring) * 0.707 + 2, y: -x(ring) * 0.707 - 2 };
+    drawn.append(svg("circle", { class: "ring", r: x(ring) }), svg("text", { class: "ring", ...place }, figure(ring, step)));
+    labels.push({ x: place.x + 8, y: place.y });
+  }
   drawn.append(svg("path", { class: "axes", d: `M${-half + 8} 0H${half - 8}M0 ${-half + 8}V${half - 8}` }));
   [...diagram.curves].reverse().forEach((curve) => {
     const [across, up] = [row(curve.points, 0), row(curve.points, 1)];
@@ -39,20 +44,22 @@ function polar(diagram: PolarDiagram, unit: string, reach: number, numbers: stri
     drawn.append(svg("path", { class: "load-curve", d, stroke: colour(pen.ink), "stroke-width": pen.width, "stroke-dasharray": pen.dashes.join(" ") }));
   });
   const largest = { x: x(at(diagram.largest, 0)), y: y(at(diagram.largest, 1)) };
-  const labels: { x: number; y: number }[] = [largest];
-  diagram.marked.values.forEach((angle, place) => {
-    const mark = { x: x(at(diagram.marks, place)), y: y(at(diagram.marks, diagram.marked.values.length + place)) };
+  const way = Math.hypot(largest.x, largest.y) || 1;
+  const called = { x: (largest.x * (way + 15)) / way, y: (largest.y * (way + 15)) / way };
+  labels.push(called);
+  diagram.marked.values.forEach((angle, which) => {
+    const mark = { x: x(at(diagram.marks, which)), y: y(at(diagram.marks, diagram.marked.values.length + which)) };
     drawn.append(svg("circle", { class: "mark", cx: mark.x, cy: mark.y, r: 1.6 }));
-    if (angle % 60 || labels.some((one) => Math.hypot(one.x - mark.x, one.y - mark.y) < 24)) return;
-    labels.push(mark);
     const length = Math.hypot(mark.x, mark.y) || 1;
-    drawn.append(svg("text", { class: "mark", x: mark.x + (11 * mark.x) / length, y: mark.y + (11 * mark.y) / length }, `${angle}`));
+    const place = { x: (mark.x * (length + 11)) / length, y: (mark.y * (length + 11)) / length };
+    if (angle % 60 || labels.some((one) => Math.abs(one.x - place.x) < 30 && Math.abs(one.y - place.y) < 18)) return;
+    labels.push(place);
+    drawn.append(svg("text", { class: "mark", ...place }, `${angle}`));
   });
   const size = Math.hypot(at(diagram.largest, 0), at(diagram.largest, 1));
-  const way = Math.hypot(largest.x, largest.y) || 1;
   drawn.append(
     svg("circle", { class: "largest", cx: largest.x, cy: largest.y, r: 4.5 }),
-    svg("text", { class: "largest", x: largest.x + (15 * largest.x) / way, y: largest.y + (15 * largest.y) / way }, `${+diagram.largest_at!.toFixed(0)}°`),
+    svg("text", { class: "largest", ...called }, `${+diagram.largest_at!.toFixed(0)}°`),
   );
   const vector = svg("line", { class: "now", x1: 0, y1: 0 });
   const dot = svg("circle", { class: "now", r: 3.2 });
@@ -145,7 +152,7 @@ function worn(rays: Rays, most: number): HTMLElement {
   const inner = Array.from(rays.direction.values, (direction, place) => `${place ? "L" : "M"}${point(radius - at(rays.size, place) * depth, direction)}`).join("");
   const circle = `M${radius} 0A${radius} ${radius} 0 1 0 ${-radius} 0A${radius} ${radius} 0 1 0 ${radius} 0Z`;
   const drawn = picture(
-    "wear", [-84, -80, 168, 160], svg("title", {}, rays.title.replaceAll("\n", " ")),
+    "wear", [-92, -86, 184, 172], svg("title", {}, rays.title.replaceAll("\n", " ")),
     svg("path", { class: "axes", d: "M-70 0H70M0 -70V70" }),
     svg("path", { class: "worn", d: `${circle}${inner}Z`, "fill-rule": "evenodd" }),
     svg("path", { class: "edge", d: circle }), svg("path", { class: "edge", d: `${inner}Z` }),
@@ -189,7 +196,7 @@ export function bars(part: Bars, numbers: string): HTMLElement {
       const [one, other] = [y(at(part.low, place)), y(at(part.high, place))];
       const looks = ["bar", part.is_filled[place] ? "filled" : "", place === part.framed ? "framed" : ""].join(" ");
       drawn.append(svg("rect", { class: looks, x: x(across) - wide / 2, y: Math.min(one, other), width: wide, height: Math.abs(one - other) }));
-      const name = part.names.length ? (part.names[place] ?? "").split(".").pop() ?? "" : Number.isInteger(across) && (n <= 24 || across % 2 === 0) ? `${across}` : "";
+      const name = part.names.length ? (part.names[place] ?? "").split(".").pop() ?? "" : Number.isInteger(across) && across % (2 * Math.ceil(n / 24) - (n <= 12 ? 1 : 0)) === 0 ? `${across}` : "";
       if (name) drawn.append(svg("text", { class: "name", x: x(across), y: height - foot + 14 }, name));
     });
     drawn.append(svg("line", { class: "zero", x1: left, x2: width - 6, y1: y(0), y2: y(0) }));

@@ -99,6 +99,7 @@ class CaseWords:
     broken_link: Words
     design: DesignWords
     move: Words
+    others: Words
     language: Words
     no_answer: Words
 
@@ -281,6 +282,7 @@ def _case_words() -> CaseWords:
             numbers=_("Numbers"),
         ),
         move=_("Move pins"),
+        others=_("More"),
         language=_("Language"),
         no_answer=_("the service does not answer"),
     )
