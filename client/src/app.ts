@@ -267,7 +267,7 @@ class App {
   }
 
   private fail(error: unknown): void {
-    this.blame(error instanceof Refused ? error.problems : [{ path: "", given: null, allowed: this.noAnswer || String(error), repair: null }]);
+    this.blame(error instanceof Refused ? error.problems : [{ path: "", given: null, allowed: this.noAnswer || String(error), repair: null, instead: [] }]);
   }
 
   private blame(problems: readonly Problem[]): void {

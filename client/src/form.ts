@@ -12,6 +12,8 @@ export interface Problem {
   readonly given: string | null;
   readonly allowed: string;
   readonly repair: string | null;
+  /** Texts that would be right there. */
+  readonly instead: readonly string[];
 }
 
 /** A form of the numbers of a file; it says when one is to be set anew. */
@@ -19,13 +21,15 @@ export class Form {
   readonly element = html("form", { class: "numbers" });
   private readonly fields = new Map<string, { input: HTMLInputElement; said: HTMLElement }>();
   private readonly rest = html("div", { class: "problems", role: "alert" });
+  private readonly set: (path: string, text: string) => void;
 
   constructor(title: string, tables: readonly NumbersOfTable[], set: (path: string, text: string) => void, asInFile: string) {
+    this.set = set;
     this.element.addEventListener("submit", (event) => { event.preventDefault(); });
     this.element.append(html("h2", {}, title), this.rest);
     for (const table of tables) {
       const group = html("fieldset", {}, html("legend", {}, table.name));
-      group.append(...table.inputs.map((one) => this.row(one, set, asInFile)));
+      group.append(...table.inputs.map((one) => this.row(one, asInFile)));
       this.element.append(group);
     }
   }
@@ -63,18 +67,22 @@ export class Form {
         continue;
       }
       field.input.setAttribute("aria-invalid", "true");
-      field.said.append(sentence(problem));
+      field.said.append(sentence(problem), ...problem.instead.map((text) => {
+        const button = html("button", { type: "button", class: "instead" }, text);
+        button.addEventListener("click", () => { this.set(problem.path, text); });
+        return button;
+      }));
     }
     this.rest.replaceChildren(...others.map((one) => html("p", {}, `✗ ${one.path} `, sentence(one))));
   }
 
-  private row(one: PageInput, set: (path: string, text: string) => void, asInFile: string): HTMLElement {
+  private row(one: PageInput, asInFile: string): HTMLElement {
     const id = `number-${this.fields.size}`;
     const input = html("input", { id, type: "text", value: one.text, spellcheck: "false", autocomplete: "off", "aria-describedby": `${id}-said ${id}-status` });
     const said = html("div", { class: "said", id: `${id}-said`, role: "alert" });
     const send = (): void => {
       input.classList.remove("typing");
-      set(one.path, input.value.trim());
+      this.set(one.path, input.value.trim());
     };
     input.addEventListener("input", () => { input.classList.add("typing"); });
     input.addEventListener("change", send);
@@ -89,7 +97,7 @@ export class Form {
     const known = [one.status, one.note].filter(Boolean).join(": ");
     const status = html("span", { class: "status", id: `${id}-status`, title: known, ...(known ? { role: "img", "aria-label": known } : {}) }, one.status.slice(0, 1).toUpperCase());
     const back = html("button", { type: "button", class: "back", title: asInFile, "aria-label": `${one.name}: ${asInFile}` }, "↺");
-    back.addEventListener("click", () => { set(one.path, ""); });
+    back.addEventListener("click", () => { this.set(one.path, ""); });
     this.fields.set(one.path, { input, said });
     return html("div", { class: "field" }, html("label", { for: id, title: one.path }, one.name), input, status, back, said);
   }

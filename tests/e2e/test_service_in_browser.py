@@ -93,6 +93,18 @@ def test_a_wrong_number_is_said_beside_it_and_the_page_stays(opened):
     assert said.inner_text() == ""
 
 
+def test_what_was_meant_is_a_button(opened):
+    page = opened("#machine=3d12&phi=0")
+    settled(page, "stroke", "180.0")
+    field = typed(page, "bore", "151")
+    page.locator("button.instead", has_text="151 mm").click()
+    page.locator(".changed label", has_text="bore").wait_for()
+    assert field.input_value() == "151 mm"
+    typed(page, "speed", "1600 rpn")
+    page.locator("button.instead", has_text="1600 rpm").click()
+    page.locator(".head p", has_text="1600 rpm").wait_for()
+
+
 def test_arrow_keys_step_a_number_and_the_arrow_back_undoes_it(opened):
     page = opened("#machine=textbook_78x78&phi=0")
     field = page.get_by_label("stroke", exact=True).first

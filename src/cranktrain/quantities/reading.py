@@ -9,7 +9,7 @@ from typing import NamedTuple
 from cranktrain.language import Words, _
 from cranktrain.quantities.dimensions import TURN, Dimension, Unit, expected, plain, spellings
 from cranktrain.quantities.number import Measured, measured, rounded
-from cranktrain.quantities.refusal import QuantityError, nearest, written
+from cranktrain.quantities.refusal import Instead, QuantityError, nearest, written
 
 # Ways to write a number that others read and we do not, each with ours; 1,500 may be 1.5 or 1500, so it is no repair.
 _HABITS = (
@@ -125,9 +125,9 @@ def _no_unit(text: str, dimension: Dimension, example: str | None) -> QuantityEr
     if parts is None:  # a bare nan or inf
         return _no_number(text, dimension, example)
     usual = measured(example or "")
-    repair = _write(f"{text} {usual.unit if usual else dimension.units[0].name}")
+    repair = Instead((f"{text} {usual.unit if usual else dimension.units[0].name}",))
     if dimension is Dimension.LENGTH and abs(parts.number) < _METRES:
-        repair = _('write "{one}" or "{other}"', one=f"{text} m", other=f"{text} mm")
+        repair = Instead((f"{text} m", f"{text} mm"))
     return QuantityError(text, expected(dimension, example), repair)
 
 
@@ -154,7 +154,7 @@ def _wrong_unit(unit: str, text: str, dimension: Dimension, example: str | None)
     meant = nearest(key, spellings(dimension))
     if meant is not None and _is_of_another_size(key, meant):
         return QuantityError(text, expected(dimension, example))
-    repair = _write(f"{number} {spellings(dimension)[meant][1]}") if meant else _other_habit(text, dimension)
+    repair = Instead((f"{number} {spellings(dimension)[meant][1]}",)) if meant else _other_habit(text, dimension)
     return QuantityError(text, expected(dimension, example), repair)
 
 
@@ -173,14 +173,9 @@ def _other_habit(text: str, dimension: Dimension) -> Words | None:
     if ours == text:
         return None
     try:
-        repair = _write(reading(ours, dimension).text)
+        repair = Instead((reading(ours, dimension).text,))
     except QuantityError as error:
         return error.problems[0].repair
     if _THOUSANDS.match(text):
-        repair = _('write "{one}" or "{other}"', one=ours, other=text.replace(",", ""))
+        repair = Instead((ours, text.replace(",", "")))
     return repair
-
-
-def _write(text: str) -> Words:
-    """Give the text to write."""
-    return _('write "{text}"', text=text)

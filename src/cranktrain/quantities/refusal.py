@@ -1,14 +1,37 @@
 """How a wrong word or value is refused: with what is allowed, and what was probably meant."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 from cranktrain.errors import InputError, Problem
-from cranktrain.language import Words, _
+from cranktrain.language import Said, Words, _
 
 _LONGEST_WORD = 100
 """Characters; what is longer was meant to be no word of ours."""
 _SLIP, _AS_LIKE = 0.85, 0.05
 """Likeness, of which 1 is the same, from which a word is another's slip of the pen; and by how much less is as like."""
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Instead(Said):
+    """What to write instead of a value: one text, or either of two."""
+
+    texts: tuple[str, ...]
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        return self._message.said(say)
+
+    def each(self) -> Iterable[object]:
+        """Give what it is made of."""
+        return self._message.each()
+
+    @property
+    def _message(self) -> Said:
+        if len(self.texts) == 1:
+            return _('write "{text}"', text=self.texts[0])
+        one, other = self.texts
+        return _('write "{one}" or "{other}"', one=one, other=other)
 
 
 class QuantityError(InputError):
@@ -62,7 +85,7 @@ def one_of(listed: Iterable[object]) -> Words:
 def unlisted(path: str, given: object, listed: Sequence[object], elsewhere: Mapping[str, str] = NOWHERE) -> Problem:
     """Refuse a value that is not of a list; `elsewhere`: what others call it, and what is written for that."""
     meant = nearest(given, [str(value) for value in listed]) if isinstance(given, str) else None
-    repair = _written_for(given, elsewhere) or (_('write "{text}"', text=meant) if meant else None)
+    repair = _written_for(given, elsewhere) or (Instead((meant,)) if meant else None)
     return Problem(path, written(given), one_of(listed), repair)
 
 

@@ -8,6 +8,7 @@ from pydantic import BaseModel, Field
 
 from cranktrain.errors import Problem
 from cranktrain.language import Words, _
+from cranktrain.quantities.refusal import Instead
 from cranktrain.web.asked import Reply
 
 
@@ -18,6 +19,7 @@ class ProblemSaid(BaseModel):
     given: str | None
     allowed: str
     repair: str | None
+    instead: Annotated[list[str], Field(description="Texts that would be right there, one of which may be meant.")] = []
     line: Annotated[int | None, Field(description="Of the machine file, from 1.")] = None
     column: int | None = None
 
@@ -53,5 +55,11 @@ def _said(problem: Problem) -> ProblemSaid:
     given, repair = (None if words is None else str(words) for words in (problem.given, problem.repair))
     line, column = (problem.position.line, problem.position.column) if problem.position else (None, None)
     return ProblemSaid(
-        path=problem.path, given=given, allowed=str(problem.allowed), repair=repair, line=line, column=column
+        path=problem.path,
+        given=given,
+        allowed=str(problem.allowed),
+        repair=repair,
+        instead=list(problem.repair.texts) if isinstance(problem.repair, Instead) else [],
+        line=line,
+        column=column,
     )
