@@ -64,6 +64,7 @@ class App {
       open: () => { this.files.click(); },
       walk: (by) => { this.walk(by); },
       save: () => { void this.save(); },
+      export: (suffix) => { void this.export(suffix); },
       beside: (saved) => { this.compare(saved); },
     }, this.languages.element, this.colours.element);
     this.design = new DesignTab({
@@ -191,9 +192,10 @@ class App {
     const source: Source = {
       tab: async (name) => (await this.more("api/tab", asked, signal, name)) as TabContent,
       trust: async () => {
-        const { trust, offers, facts } = (await this.more("api/trust", asked, signal)) as PageGoingOn;
+        const { trust, offers, facts, exports } = (await this.more("api/trust", asked, signal)) as PageGoingOn;
         this.offer(offers, words.more);
         this.design.offer(facts);
+        this.bar.offer(exports);
         return trust;
       },
       editing: this.editing(found, asked, signal),
@@ -277,11 +279,29 @@ class App {
   }
 
   private async save(): Promise<void> {
-    const { machine, sent } = this.steps.now;
     const text = await this.fileText();
-    if (text === null) return;
-    const name = sent?.name ?? (machine || "machine");
-    const link = html("a", { href: URL.createObjectURL(new Blob([text])), download: name.endsWith(MACHINE_FILE) ? name : name + MACHINE_FILE });
+    if (text !== null) this.hand(MACHINE_FILE, new Blob([text]));
+  }
+
+  /** Take a file of what is computed away. */
+  private async export(suffix: string): Promise<void> {
+    const late = setTimeout(() => { this.view.classList.add("computing"); }, PATIENCE);
+    try {
+      const answer = await ask("api/export", this.steps.now, { language: this.address.language, tab: this.address.place.tab, suffix });
+      this.hand(suffix, await answer.blob());
+    } catch (error) {
+      this.fail(error);
+    } finally {
+      clearTimeout(late);
+      this.view.classList.remove("computing");
+    }
+  }
+
+  /** Have the browser keep a file. */
+  private hand(suffix: string, content: Blob): void {
+    const { machine, sent } = this.steps.now;
+    const name = (sent?.name ?? (machine || "machine")).replace(/\.toml$/, "");
+    const link = html("a", { href: URL.createObjectURL(content), download: name + suffix });
     link.click();
     URL.revokeObjectURL(link.href);
   }

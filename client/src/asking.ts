@@ -19,6 +19,7 @@ interface Beside {
   readonly language: string;
   readonly tab?: string;
   readonly key?: string;
+  readonly suffix?: string;
   readonly vary?: Readonly<Record<string, string>>;
   readonly wanted?: readonly string[];
 }

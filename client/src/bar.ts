@@ -1,7 +1,7 @@
 // The bar over a page: which machine, steps back and on, files, and what stands beside.
 
 import type { Asked } from "./address.ts";
-import type { CaseWords } from "./data.ts";
+import type { CaseWords, ExportForm } from "./data.ts";
 import { html } from "./elements.ts";
 
 /** What may be done from the bar. */
@@ -11,6 +11,8 @@ export interface Doings {
   readonly open: () => void;
   readonly walk: (by: number) => void;
   readonly save: () => void;
+  /** Take a file away, by how its name ends. */
+  readonly export: (suffix: string) => void;
   /** Put a saved case beside what is shown, what is shown itself, or nothing. */
   readonly beside: (saved: Asked | "this" | null) => void;
 }
@@ -23,6 +25,7 @@ export class Bar {
   private readonly machines = html("select", {});
   private readonly ownMachine = html("option", { value: SENT, hidden: "" });
   private readonly machinesLabel = html("label", {});
+  private readonly exports = html("select", {});
   private readonly beside = html("select", {});
   private readonly besideLabel = html("label", {});
   /** What a narrow window shows when it is asked for. */
@@ -47,9 +50,13 @@ export class Bar {
     };
     this.machines.append(this.ownMachine, ...(file ? [html("option", { value: "" }, file)] : []), ...examples.map((name) => html("option", { value: name }, name)));
     this.machines.addEventListener("change", () => { doings.machine(this.machines.value); });
+    this.exports.addEventListener("change", () => {
+      doings.export(this.exports.value);
+      this.exports.value = "";
+    });
     this.beside.addEventListener("change", () => { doings.beside(this.cases.get(this.beside.value) ?? null); });
     const { gallery, open, undo, redo, save, keep } = this.buttons;
-    const rest = html("div", { class: "rest" }, gallery, open, save, this.besideLabel, keep, ...more);
+    const rest = html("div", { class: "rest" }, gallery, open, save, this.exports, this.besideLabel, keep, ...more);
     this.element = html("header", { class: "bar" }, html("b", {}, "cranktrain"), this.machinesLabel, undo, redo, this.others, rest);
     this.others.addEventListener("click", () => {
       this.others.setAttribute("aria-expanded", `${this.others.getAttribute("aria-expanded") !== "true"}`);
@@ -64,8 +71,16 @@ export class Bar {
     this.machinesLabel.replaceChildren(`${words.machine} `, this.machines);
     for (const name of ["gallery", "open", "undo", "redo", "save", "keep"] as const) this.buttons[name].textContent = words[name];
     this.others.setAttribute("aria-label", words.others);
+    this.exports.setAttribute("aria-label", words.export);
+    if (this.exports.options.length === 0) this.exports.append(html("option", { value: "" }, words.export));
     this.steps(has);
     this.fillCases(asked, words);
+  }
+
+  /** Offer files to take away. */
+  offer(forms: readonly ExportForm[]): void {
+    const [title] = this.exports.options;
+    this.exports.replaceChildren(...(title ? [title] : []), ...forms.map(({ suffix, words }) => html("option", { value: suffix }, `${suffix} – ${words}`)));
   }
 
   /** Say whether there is a step back and on. */

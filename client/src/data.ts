@@ -495,6 +495,7 @@ export interface CaseWords {
   readonly keep: string;
   readonly gallery: string;
   readonly open: string;
+  readonly export: string;
   readonly more: string;
   readonly broken_link: string;
   readonly design: DesignWords;
@@ -546,7 +547,8 @@ export interface PageGoingOn {
   readonly is: "PageGoingOn";
   readonly trust: PageTrust;
   readonly offers: readonly (PageOffer)[];
-  readonly facts: readonly (FactName)[];
+  readonly facts: readonly (OfferedFact)[];
+  readonly exports: readonly (ExportForm)[];
 }
 
 export interface PageOffer {
@@ -555,10 +557,16 @@ export interface PageOffer {
   readonly words: string;
 }
 
-export interface FactName {
-  readonly is: "FactName";
+export interface OfferedFact {
+  readonly is: "OfferedFact";
   readonly name: string;
   readonly title: string;
+}
+
+export interface ExportForm {
+  readonly is: "ExportForm";
+  readonly suffix: string;
+  readonly words: string;
 }
 
 export interface Gallery {

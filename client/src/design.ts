@@ -2,7 +2,7 @@
 
 import type { Asked } from "./address.ts";
 import { ask, look, opened } from "./asking.ts";
-import type { DesignWords, FactName, NumbersOfTable, PageCurves, PanelLine, SweptDesignsOfPage } from "./data.ts";
+import type { DesignWords, OfferedFact, NumbersOfTable, PageCurves, PanelLine, SweptDesignsOfPage } from "./data.ts";
 import { ShownCurves } from "./curves.ts";
 import { html } from "./elements.ts";
 import { maps, nearestTo } from "./maps.ts";
@@ -125,7 +125,7 @@ export class DesignTab {
   }
 
   /** Offer facts; those that were chosen stay so. */
-  offer(facts: readonly FactName[]): void {
+  offer(facts: readonly OfferedFact[]): void {
     if (same(facts.map(({ name }) => name), this.boxes.map((one) => one.value))) return;
     const before = new Set(this.wanted);
     const wanted = facts.some(({ name }) => before.has(name)) ? before : new Set(facts.slice(0, 1).map(({ name }) => name));

@@ -1,5 +1,7 @@
 """Which machine a page has: one of the gallery, a new one, a file that is opened, one to which tables are added."""
 
+import codecs
+import csv
 import re
 import tomllib
 
@@ -7,6 +9,7 @@ import pytest
 from tests.browser import Watched
 from tests.serving import served
 
+import cranktrain as ct
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_names
 from cranktrain.mechanisms import KINDS
 
@@ -170,3 +173,23 @@ def test_an_example_as_a_file_of_ones_own_says_the_same(opened, name):
     opens(page, (f"{name}.toml", text))
     page.locator("h1", has_text=own.locator("h1").inner_text()).wait_for()
     assert page.locator(".answers").inner_text() == expected
+
+
+def test_files_are_taken_away(opened, tmp_path):
+    page = opened("#machine=textbook_78x78&phi=0&bank.line.mechanism.stroke=80+mm")
+    choice = page.get_by_label("Take away")
+    page.locator("option", has_text=".csv").wait_for(state="attached")
+    suffixes = [one for one in choice.evaluate("one => [...one.options].map(option => option.value)") if one]
+    assert {".csv", ".xlsx", ".json", ".html", ".svg", ".pdf"} <= set(suffixes)
+    begins = {".csv": b"#", ".xlsx": b"PK", ".html": b"<!doctype html>", ".svg": b"<?xml", ".pdf": b"%PDF"}
+    for suffix, begin in begins.items():
+        with page.expect_download(timeout=60_000) as download:
+            choice.select_option(suffix)
+        assert download.value.suggested_filename == f"textbook_78x78{suffix}"
+        content = download.value.path().read_bytes().removeprefix(codecs.BOM_UTF8)
+        assert content.startswith(begin) and len(content) > 1000
+        if suffix == ".csv":
+            heads, *lines = csv.reader(line for line in content.decode().splitlines() if not line.startswith("#"))
+            place = next(place for place, head in enumerate(heads) if "displacement" in head)
+            expected = ct.run("textbook_78x78", set={"bank.line.mechanism.stroke": "80 mm"}).piston_displacement[0]
+            assert max(float(line[place]) for line in lines) == pytest.approx(float(expected.max()), rel=1e-6)

@@ -16,6 +16,7 @@ from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.asked import MOST_KEPT, Case
+from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
 from cranktrain.web.packed import Packed, packed
 from cranktrain.web.page import ShownMachine, machine_page, tab_content, tab_names
@@ -95,6 +96,7 @@ class CaseWords:
     keep: Words
     gallery: Words
     open: Words
+    export: Words
     more: Words
     broken_link: Words
     design: DesignWords
@@ -213,6 +215,11 @@ def file_text(case: Case, key: str = "") -> str:
     return with_table(file, key)
 
 
+def export_of(case: Case, tab: str, suffix: str) -> bytes:
+    """Make a file to take away, as `exported` does."""
+    return exported(*_computed(case), tab, suffix)
+
+
 def _result_of(case: Case | None) -> Result | None:
     """Compute a saved case, if there is one."""
     return None if case is None else _computed(case)[1]
@@ -265,6 +272,7 @@ def _case_words() -> CaseWords:
         keep=_("Compare with this"),
         gallery=_("All machines"),
         open=_("Open a file"),
+        export=_("Take away"),
         more=_("Add to the file"),
         broken_link=_("The address has a machine that cannot be read"),
         design=DesignWords(

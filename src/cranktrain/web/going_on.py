@@ -8,6 +8,7 @@ from cranktrain.io.offers import offered_tables
 from cranktrain.language import Words
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
+from cranktrain.web.exporting import ExportForm, export_forms
 from cranktrain.web.page import PageTrust, page_trust
 
 
@@ -20,7 +21,7 @@ class PageOffer:
 
 
 @record
-class FactName:
+class OfferedFact:
     """A fact that may be asked for over values of the file: its name in results, and what people call it."""
 
     name: str
@@ -29,22 +30,23 @@ class FactName:
 
 @record
 class PageGoingOn:
-    """How far a machine can be trusted, and how one may go on with it: its facts, the headlines first."""
+    """How far a machine can be trusted, and how one may go on with it: its facts, the headlines first; files of it."""
 
     trust: PageTrust
     offers: tuple[PageOffer, ...]
-    facts: tuple[FactName, ...]
+    facts: tuple[OfferedFact, ...]
+    exports: tuple[ExportForm, ...]
 
 
 def page_going_on(file: MachineFile, result: Result) -> PageGoingOn:
     """Collect all of it."""
     offers = tuple(PageOffer(table.key, table.words) for table in offered_tables(file))
-    return PageGoingOn(page_trust(result), offers, tuple(_facts(result)))
+    return PageGoingOn(page_trust(result), offers, tuple(_facts(result)), export_forms())
 
 
-def _facts(result: Result) -> Iterator[FactName]:
+def _facts(result: Result) -> Iterator[OfferedFact]:
     """Name the facts of a machine, those that its questions begin with first."""
     headlines = [name for question in result.machines[0].questions for name in question.headline]
     for name in dict.fromkeys((*headlines, *result.catalogue)):
         if name in result.catalogue and result.catalogue[name].is_fact:
-            yield FactName(name, said_name(name))
+            yield OfferedFact(name, said_name(name))

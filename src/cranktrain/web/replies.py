@@ -6,7 +6,7 @@ from collections.abc import Callable
 from cranktrain.errors import InputError
 from cranktrain.language import _, in_language
 from cranktrain.web.asked import HowFar, PageQuestion, Reply, SweepQuestion
-from cranktrain.web.case import file_text, packed_handles, packed_page, packed_tab, packed_trust
+from cranktrain.web.case import export_of, file_text, packed_handles, packed_page, packed_tab, packed_trust
 from cranktrain.web.gallery import gallery
 from cranktrain.web.packed import packed
 from cranktrain.web.refusals import refusal_of, refused
@@ -50,9 +50,11 @@ def _reply(question: PageQuestion | SweepQuestion, say: Callable[[HowFar], None]
 
 def _content(question: PageQuestion) -> bytes:
     """Compute a part of a page as its bytes."""
-    case, part, tab, beside, _key, _language = question
+    case, part, tab, beside, key, _language = question
     if case is None:
         return packed(gallery()).content
+    if part == "export":
+        return export_of(case, tab, key)
     if part == "page":
         return packed_page(case, tab, beside).content
     if part == "tab":

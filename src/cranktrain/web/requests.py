@@ -75,6 +75,13 @@ class FileAsked(CaseAsked):
     ] = ""
 
 
+class ExportAsked(CaseAsked):
+    """A machine, and what is to be taken away of it."""
+
+    tab: Annotated[_Name, Field(description="Of which a sheet is drawn; the machine's where it has none.")] = ""
+    suffix: Annotated[_Name, Field(description="How the file's name ends.", examples=[".xlsx"])]
+
+
 class SweepAsked(CaseAsked):
     """A machine, and what of it is varied."""
 
@@ -136,6 +143,8 @@ def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: st
     case, language = _case_of(asked, known, served), _language_of(asked)
     if isinstance(asked, FileAsked):
         return PageQuestion(case, part, key=asked.key, language=language)
+    if isinstance(asked, ExportAsked):
+        return PageQuestion(case, part, asked.tab, key=asked.suffix, language=language)
     if not isinstance(asked, PageAsked):
         return PageQuestion(case, part, language=language)
     beside = asked.beside and _case_of(asked.beside, known, served)

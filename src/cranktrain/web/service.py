@@ -21,6 +21,7 @@ from cranktrain.web.refusals import ProblemSaid, refusal_of, refused, too_much_t
 from cranktrain.web.requests import (
     CaseAsked,
     ExampleNamed,
+    ExportAsked,
     FileAsked,
     PageAsked,
     SweepAsked,
@@ -64,6 +65,8 @@ _NUMBERS: dict[str, Any] = {
     },
 }
 """Of what gives packed data: its answers."""
+_FILES: dict[int | str, dict[str, Any]] = {200: {"content": {"application/octet-stream": {}}}, **_REFUSED}
+"""Of what gives a file: its answers."""
 
 
 def service(file: str | None = None, *, replying: Replying | None = None, door: Door | None = None) -> FastAPI:
@@ -133,6 +136,11 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
     async def _file(request: Request, asked: FileAsked) -> Response:
         """Give the machine file with the numbers in place, its comments where they were, and with another table."""
         return await answered(request, asked, "file")
+
+    @app.post("/api/export", response_class=Response, responses=_FILES)
+    async def _export(request: Request, asked: ExportAsked) -> Response:
+        """Give a file of what is computed of a machine: tables, its sheet, a page of its own."""
+        return await answered(request, asked, "export")
 
     @app.get("/api/gallery", **_NUMBERS)
     async def _gallery(request: Request, language: str = "") -> Response:

@@ -149,7 +149,16 @@ def test_script_in_a_name_stays_text(client):
 def test_its_interface_is_described(client):
     schema = client.get("/openapi.json").json()
     assert set(schema["paths"]) == {
-        *("/api/case", "/api/tab", "/api/trust", "/api/handles", "/api/file", "/api/examples", "/api/gallery"),
+        *(
+            "/api/case",
+            "/api/tab",
+            "/api/trust",
+            "/api/handles",
+            "/api/file",
+            "/api/examples",
+            "/api/gallery",
+            "/api/export",
+        ),
         *("/api/sweep", "/api/sweep/{number}"),
     }
     for table in ("PageAsked", "SweepAsked"):
