@@ -167,12 +167,14 @@ def _numbers(machine: Machine, one: _Held, others: Sequence[_Held], size: float)
 
 def _slope(machine: Machine, one: _Held, path: str, given: Given) -> Array:
     """Give how far a pin goes for a change of a number, by differences to both sides, shape (2, n)."""
-    change = _CHANGE * max(abs(given.si), 1.0 if given.si == 0.0 else 0.0)
+    change = _CHANGE * (abs(given.si) or 1.0)
+    beside = [place for place in machine.places if (place.shaft, place.throw) == (one.place.shaft, one.place.throw)]
+    angles = _angles(machine)
 
     def at(si: float) -> Array:
         spec = with_number(one.place.spec, parts_of(path), replace(given, si=si))
-        place = with_table(one.place, spec, machine.places)
-        return placed(machine, place, _angles(machine)).positions[one.handle.pin]
+        pin = placed(machine, with_table(one.place, spec, beside), angles).pins[one.handle.pin]
+        return np.stack([np.broadcast_to(part.value, angles.shape) for part in pin])
 
     return (at(given.si + change) - at(given.si - change)) / (2 * change)
 
