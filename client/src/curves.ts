@@ -248,7 +248,8 @@ class ShownPanel {
     if (low > 0 && low <= NEAR * high) low = 0;
     if (high < 0 && high >= NEAR * low) high = 0;
     const room = BESIDE * (high - low || Math.abs(high) || 1);
-    return [low === 0 ? 0 : low - room, high === 0 ? 0 : high + room];
+    const isNothing = low === 0 && high === 0;
+    return [low === 0 && !isNothing ? 0 : low - room, high === 0 && !isNothing ? 0 : high + room];
   }
 
   private findReach(): readonly [number, number] {

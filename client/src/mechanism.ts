@@ -30,6 +30,11 @@ const RING_OF_HANDLE = 10;
 /** From where to where the arrow of turning goes along the ring, from its zero. [rad] */
 const TURNING = [2.2, 2.9] as const;
 
+/** Length of the arrow of the largest load in parts of the picture's longer side. */
+const ARROW = 0.16;
+/** In which part of the picture, from its left, names stand to the right of their arrows. */
+const LEFT_OF = 0.75;
+
 const LESS = 1e-9;
 
 /** What moves: shown at the crank angles of the drawing, or between them. */
@@ -244,6 +249,20 @@ export class Mechanism {
           x.push(corner.x);
           y.push(corner.y);
         }
+      }
+    }
+    // A load may act beyond all pins, as that of a horsehead; at what is drawn shorter it would be far away.
+    if (this.shifts.size === 0) {
+      const long = ARROW * Math.max(...[x, y].map(extent).map(([low, high]) => high - low));
+      for (const load of this.drawing.loads) {
+        load.size.values.forEach((size, which) => {
+          const back = load.is_torque ? 0 : (long * size) / (number(load.largest) || 1);
+          const [across, up] = [0, 1].map((axis) => (row(load.place, axis)[which] ?? NaN) - back * (row(load.way, axis)[which] ?? 0)) as [number, number];
+          if (Number.isFinite(across) && Number.isFinite(up)) {
+            x.push(across);
+            y.push(up);
+          }
+        });
       }
     }
     const [left, right] = extent(x);
@@ -466,7 +485,7 @@ export class Mechanism {
     const arrow = svg("path", { class: "load" });
     const label = svg("text", { class: "load" }, load.name);
     into.append(arrow, label);
-    const long = 0.16 * LONG;
+    const long = ARROW * LONG;
     this.moving.push((angle) => {
       const get = (values: Float32Array): number => between(values, this.cycle, angle);
       const part = get(load.size.values) / largest;
@@ -492,7 +511,10 @@ export class Mechanism {
       const way = { x: get(row(load.way, 0)), y: -get(row(load.way, 1)) };
       const start = { x: end.x - way.x * part * long, y: end.y - way.y * part * long };
       arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, Math.atan2(end.y - start.y, end.x - start.x))}`);
-      label.setAttribute("x", `${start.x + 5}`);
+      const { x, width } = this.element.viewBox.baseVal;
+      const isRight = start.x > x + LEFT_OF * width;
+      label.setAttribute("text-anchor", isRight ? "end" : "start");
+      label.setAttribute("x", `${start.x + (isRight ? -5 : 5)}`);
       label.setAttribute("y", `${start.y - 4}`);
     });
   }
