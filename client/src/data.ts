@@ -65,7 +65,7 @@ export interface WrittenRow {
 export interface PageSheet {
   readonly is: "PageSheet";
   readonly title: string;
-  readonly columns: readonly (readonly (PageCurves | PageMaps | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | PageEvents | EventStrip | Notes | Ruler)[])[];
+  readonly columns: readonly (readonly (PageCurves | PageMaps | PagePolars | Bars | Stars | PageWear | ShaftShapes | PageTable | PageSection | ConstructionDrawing | PageEvents | EventStrip | Notes | Ruler)[])[];
 }
 
 export interface PageCurves {
@@ -226,6 +226,48 @@ export interface PageTable {
   readonly rows: readonly (readonly (string)[])[];
   readonly methods: readonly (number)[];
   readonly notes: readonly (string)[];
+  readonly of_words: readonly (number)[];
+}
+
+export interface PageSection {
+  readonly is: "PageSection";
+  readonly heading: string;
+  readonly parts: readonly (PageTable | Notes)[];
+}
+
+export interface Notes {
+  readonly is: "Notes";
+  readonly sentences: readonly (string)[];
+  readonly can_go_on: boolean;
+}
+
+export interface ConstructionDrawing {
+  readonly is: "ConstructionDrawing";
+  readonly title: string;
+  readonly radius: Float;
+  readonly along: Numbers;
+  readonly foot: Numbers;
+  readonly points: Readonly<Record<string, Numbers>>;
+  readonly lines: readonly (ConstructedLine)[];
+  readonly readings: readonly (ConstructionReading)[];
+  readonly unit: string;
+  readonly note: string;
+}
+
+export interface ConstructedLine {
+  readonly is: "ConstructedLine";
+  readonly start: string;
+  readonly end: string;
+  readonly look: "link" | "exact" | "projection" | "ray";
+  readonly about: string;
+}
+
+export interface ConstructionReading {
+  readonly is: "ConstructionReading";
+  readonly point: string;
+  readonly name: string;
+  readonly look: "exact" | "projection" | "ray";
+  readonly displacement: Numbers;
 }
 
 export interface PageEvents {
@@ -248,12 +290,6 @@ export interface EventStrip {
   readonly is: "EventStrip";
   readonly events: readonly (PageEvent)[];
   readonly end: Float;
-}
-
-export interface Notes {
-  readonly is: "Notes";
-  readonly sentences: readonly (string)[];
-  readonly can_go_on: boolean;
 }
 
 export interface Ruler {

@@ -3,11 +3,12 @@
 import { lineSample, ShownCurves, type Shown } from "./curves.ts";
 import type { PageSheet, Ruler, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
+import { constructed } from "./construction.ts";
 import { events, strip } from "./events.ts";
 import { maps } from "./maps.ts";
 import { number, same } from "./numbers.ts";
 import { bars, polars, shapes, stars, wear } from "./plane.ts";
-import { table } from "./tables.ts";
+import { notes, section, table } from "./tables.ts";
 import { said } from "./words.ts";
 
 type Part = PageSheet["columns"][number][number];
@@ -132,6 +133,10 @@ function drawn(part: Part, numbers: string, turned: Turned, unit: string): Shown
       return new ShownCurves(part, numbers, turned, unit);
     case "PageMaps":
       return maps(part, () => undefined, null);
+    case "PageSection":
+      return standing(section(part));
+    case "ConstructionDrawing":
+      return constructed(part);
     case "PageEvents":
       return events(part, turned);
     case "EventStrip":
@@ -149,7 +154,7 @@ function drawn(part: Part, numbers: string, turned: Turned, unit: string): Shown
     case "PageTable":
       return standing(table(part));
     case "Notes":
-      return standing(html("div", { class: "notes" }, ...part.sentences.map((one) => html("p", {}, said(one)))));
+      return standing(notes(part));
     case "Ruler":
       return standing(ruler(part));
   }

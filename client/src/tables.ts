@@ -1,7 +1,7 @@
 // Tables: rows of an answer, tables of a sheet, checks.
 
 import { plain } from "./charts.ts";
-import type { PageCheck, PageTable, WrittenGroup } from "./data.ts";
+import type { Notes, PageCheck, PageSection, PageTable, WrittenGroup } from "./data.ts";
 import { html, scrolling, svg } from "./elements.ts";
 import { colour, methodPen } from "./ink.ts";
 import { said } from "./words.ts";
@@ -50,7 +50,7 @@ export function table(part: PageTable): HTMLElement {
     const method = part.methods[place];
     const line = html("tr", {});
     cells.forEach((cell, column) => {
-      const own = html(column ? "td" : "th", column ? { class: "number" } : { scope: "row" });
+      const own = html(column ? "td" : "th", !column ? { scope: "row" } : part.of_words.includes(column) ? {} : { class: "number" });
       if (column === 0 && method !== undefined) own.append(sampleOf(method), " ");
       own.append(said(cell));
       line.append(own);
@@ -60,6 +60,17 @@ export function table(part: PageTable): HTMLElement {
   whole.append(head, html("tbody", {}, ...rows));
   element.append(whole, ...part.notes.map((note) => html("p", { class: "note" }, said(note))));
   return element;
+}
+
+/** Show tables and sentences under a heading. */
+export function section(part: PageSection): HTMLElement {
+  const heads = part.heading ? [html("h3", {}, said(part.heading))] : [];
+  return html("div", { class: "section" }, ...heads, ...part.parts.map((one) => (one.is === "PageTable" ? table(one) : notes(one))));
+}
+
+/** Show sentences. */
+export function notes(part: Notes): HTMLElement {
+  return html("div", { class: "notes" }, ...part.sentences.map((one) => html("p", {}, said(one))));
 }
 
 function sampleOf(method: number): SVGSVGElement {

@@ -34,7 +34,7 @@ def _in_print(command: Callable[_Given, None]) -> Callable[_Given, None]:
 
     @wraps(command)
     def shown(*given: _Given.args, **named: _Given.kwargs) -> None:
-        from cranktrain.cli.screen.typesetting import printed
+        from cranktrain.saying.typesetting import printed
 
         with printed():
             command(*given, **named)

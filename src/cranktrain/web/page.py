@@ -30,6 +30,7 @@ from cranktrain.web.parts import page_curves, page_parts
 from cranktrain.web.saved_facts import facts_beside
 from cranktrain.web.start_tab import START
 from cranktrain.web.tabs import PageSheet, TabContent, lacking_sheet
+from cranktrain.web.textbook_tab import TEXTBOOK
 
 _STEP = 2.0
 """Between positions of the drawing, between which a page goes on smoothly. [deg]"""
@@ -38,7 +39,7 @@ _VECTOR_STEP = 4.0
 _MOST_PANELS = 4
 """Of curves of a question that has no sheet."""
 
-ASKED_TABS = (START,)
+ASKED_TABS = (START, TEXTBOOK)
 """Tabs of what is asked when somebody opens them, behind those of the questions."""
 
 

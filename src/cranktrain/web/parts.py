@@ -7,6 +7,7 @@ from typing import TypeAlias
 import numpy as np
 
 from cranktrain.language import Words, _
+from cranktrain.panels.construction_drawing import ConstructionDrawing
 from cranktrain.panels.parts import (
     BarChart,
     CurveCard,
@@ -97,6 +98,8 @@ class PageTable:
     methods : tuple of int
         Places of methods whose lines stand before the rows, if any.
     notes : tuple of Words
+    of_words : tuple of int
+        Columns that stand to the left, beside the first.
     """
 
     title: Words
@@ -105,6 +108,15 @@ class PageTable:
     rows: tuple[tuple[str, ...], ...]
     methods: tuple[int, ...]
     notes: tuple[Words, ...]
+    of_words: tuple[int, ...] = ()
+
+
+@record
+class PageSection:
+    """Tables and sentences under a heading."""
+
+    heading: Words
+    parts: tuple[PageTable | Notes, ...]
 
 
 @record
@@ -154,6 +166,8 @@ PagePart: TypeAlias = (
     | PageWear
     | ShaftShapes
     | PageTable
+    | PageSection
+    | ConstructionDrawing
     | PageEvents
     | EventStrip
     | Notes

@@ -14,7 +14,6 @@ from cranktrain import cli
 from cranktrain.all_questions import QUESTIONS
 from cranktrain.cli.screen.answer import joined
 from cranktrain.cli.screen.groups import group_lines
-from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.io.examples import EXAMPLES_FOLDER
 from cranktrain.language import _
 from cranktrain.mechanisms import KINDS
@@ -22,6 +21,7 @@ from cranktrain.saying.amounts import Amount, Extent, filled, written
 from cranktrain.saying.row_table import member_columns
 from cranktrain.saying.row_words import name_of
 from cranktrain.saying.rows import AnswerLine, valued, worded
+from cranktrain.saying.typesetting import typeset
 
 EXAMPLES = sorted(path.stem for path in EXAMPLES_FOLDER.glob("*.toml"))
 MOST_LINES, MOST_ROWS = 45, 5

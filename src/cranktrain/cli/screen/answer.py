@@ -9,13 +9,13 @@ from cranktrain.analysis.minded import to_mind
 from cranktrain.cli.screen.foot import foot_lines
 from cranktrain.cli.screen.groups import group_lines
 from cranktrain.cli.screen.text import folded
-from cranktrain.cli.screen.typesetting import typeset
 from cranktrain.grouping import grouped
 from cranktrain.io.machine_file import MachineFile
 from cranktrain.io.title import headed
 from cranktrain.language import said as _
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.one_line import visible
+from cranktrain.saying.typesetting import typeset
 
 _MOST_LINES = 3
 """Of one flag; `--full` has the rest."""

@@ -10,13 +10,13 @@ from cranktrain.all_questions import QUESTIONS
 from cranktrain.analysis import Missing, Result
 from cranktrain.analysis.unasked import unasked
 from cranktrain.cli.screen.text import folded
-from cranktrain.cli.screen.typesetting import KEPT
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import MachineFile, inputs_of
 from cranktrain.language import N_, Words
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.saying.amounts import Amount
+from cranktrain.saying.typesetting import KEPT
 from cranktrain.saying.wording import all_of
 from cranktrain.texts.comparison import TextbookMotion
 

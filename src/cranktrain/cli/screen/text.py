@@ -12,9 +12,9 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
-from cranktrain.cli.screen.typesetting import KEPT, as_printed
 from cranktrain.language import said as _
 from cranktrain.one_line import visible
+from cranktrain.saying.typesetting import KEPT, as_printed
 
 INDENT = 2
 """Of what stands under a heading."""

@@ -14,7 +14,6 @@ from cranktrain.cli.quiet_pictures import save_quietly
 from cranktrain.cli.run_files import form_of, write_run
 from cranktrain.cli.screen.sections import show_sections
 from cranktrain.cli.screen.text import page
-from cranktrain.cli.screen.typesetting import printed
 from cranktrain.cli.synthesis.requirements import Typed, proposed
 from cranktrain.how_far import say_how_far
 from cranktrain.io.added_tables import with_tables, with_values
@@ -25,6 +24,7 @@ from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.machine import Machine
 from cranktrain.one_line import one_line
+from cranktrain.saying.typesetting import printed
 from cranktrain.saying.wording import number
 from cranktrain.synthesis.counterweights import CounterweightProposal
 from cranktrain.synthesis.proposal import MachineProposal, Proposal

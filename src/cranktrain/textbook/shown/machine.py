@@ -16,7 +16,9 @@ from cranktrain.textbook.shown.of_machine import FormErrors, MachinePage, texts_
 from cranktrain.textbook.speaking import speaking
 from cranktrain.texts.contents import Text
 
-_LARGEST = N_("Largest errors over the turn")
+LARGEST_ERRORS = N_("Largest errors over the turn")
+OF_WHAT = N_("Δx in parts of the stroke, Δv and Δj of their exact peaks; of several members the largest.")
+"""What the largest errors of forms are errors of."""
 
 
 def whole_machine(machine: Machine, result: Result, text: Text | None, *, with_table: bool) -> Iterator[PagePart]:
@@ -30,7 +32,7 @@ def whole_machine(machine: Machine, result: Result, text: Text | None, *, with_t
             "points along the cylinder, or an eccentric to its valve. λ is crank radius by rod, of a slave its "
             "master's, of an eccentric e/l."
         )
-        yield ShownSection(_(_LARGEST), (explained,))
+        yield ShownSection(_(LARGEST_ERRORS), (explained,))
     if with_table:
         yield from motion_sections(machine, [one.name for one in has])
     if has:
@@ -46,7 +48,7 @@ def first_of_machine(machine: Machine, result: Result, text: Text | None, *, wit
         if usual:
             yield _("Angles count from where a crank points along its cylinder, or an eccentric to its valve.")
     else:
-        yield from section(_(_LARGEST), _errors([row for own in has.values() for row in own.errors(page)]))
+        yield from section(_(LARGEST_ERRORS), _errors([row for own in has.values() for row in own.errors(page)]))
     for own in has.values():
         yield from own.beside(page)
 
@@ -57,7 +59,7 @@ def _errors(rows: Sequence[FormErrors]) -> Iterator[Part]:
         cells = [(one.equations, *map(percent, one.errors), Listed((one.of, one.words), ": ")) for one in rows]
         yield Rows([("", "%", "%", "%", ""), *cells], ("", "Δx", "Δv", "Δj", ""), right=(1, 2, 3))
         yield ""
-        yield _("Δx in parts of the stroke, Δv and Δj of their exact peaks; of several members the largest.")
+        yield _(OF_WHAT)
 
 
 def how_to_go_on(

@@ -1,4 +1,4 @@
-"""How units and signs stand on the screen: a true minus, degrees as °, dots and powers; commands stay as typed."""
+"""How units and signs stand on the screen and on pages: a true minus, ° for degrees, dots; commands stay as typed."""
 
 import re
 from collections.abc import Generator
@@ -55,8 +55,11 @@ def as_printed(text: str) -> str:
     >>> as_printed("-2 deg")
     '-2 deg'
     """
-    if not _is_printed.get():
-        return text
+    return in_type(text) if _is_printed.get() else text
+
+
+def in_type(text: str) -> str:
+    """Typeset a sentence, a cell or the head of a column; what is to be typed stays."""
     if text == "deg":
         return "°"
     return "".join(part if _TYPED.fullmatch(part) else typeset(part) for part in _TYPED.split(text))
