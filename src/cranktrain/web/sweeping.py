@@ -152,9 +152,8 @@ def _sheet(found: Sweep) -> PageSheet:
         return PageSheet("", ((Notes(tuple(str(problem) for problem in error.problems)),),))
     maps = tuple(one for one in plot.panels if isinstance(one, Map))
     panels = tuple(one for one in plot.panels if isinstance(one, Panel))
+    over = plot.over or ""
     drawn = (
-        PageMaps(tuple(map(map_as_shown, maps)), plot.over)
-        if maps
-        else page_curves(Stack(tuple(map(_whole, panels))), plot.over)
+        PageMaps(tuple(map(map_as_shown, maps)), over) if maps else page_curves(Stack(tuple(map(_whole, panels))), over)
     )
     return PageSheet("", ((drawn, *([Notes((plot.note,))] if plot.note else [])),))

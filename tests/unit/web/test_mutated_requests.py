@@ -36,18 +36,8 @@ ODD = (
     "mechanism.rod_length=1e400 mm", "mechanism.kind=chain", "cylinder.bore=[1,2]", "shaft.main.speed=inf rpm",
     "bank.A.mechanism.stroke=1 mm", "mechanism.rod_length=nan mm", "units.length=furlong", "[" * 50_000,
 )  # fmt: skip
-PATHS = (
-    "/api/case",
-    "/api/tab",
-    "/api/trust",
-    "/api/file",
-    "/api/none",
-    "/api/sweep",
-    "/api/gallery",
-    "/api/examples",
-    "/",
-    "/app.css",
-)
+ASKED = ("/api/case", "/api/tab", "/api/trust", "/api/handles", "/api/file")
+OTHERS = ("/api/none", "/api/sweep", "/api/gallery", "/api/examples", "/", "/app.css")
 WAYS = ("POST",) * 12 + ("GET", "PUT", "DELETE", "OPTIONS", "HEAD")
 HEADERS = (
     {"Content-Type": "text/plain"}, {"Content-Type": "application/x-www-form-urlencoded"}, {"Origin": "http://x"},
@@ -93,7 +83,7 @@ def requests():
         if drawn.random() < 0.05:
             content = drawn.randbytes(drawn.randint(1, 40)) + content
         headers = {"Content-Type": "application/json"} | (drawn.choice(HEADERS) if drawn.random() < 0.1 else {})
-        path = drawn.choice(PATHS[:4]) if drawn.random() < 0.9 else drawn.choice(PATHS)
+        path = drawn.choice(ASKED if drawn.random() < 0.95 else OTHERS)
         yield drawn.choice(WAYS), path, content, headers
 
 
