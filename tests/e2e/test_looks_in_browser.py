@@ -20,7 +20,9 @@ FAR = 40
 """Between values of a colour, of 255, that look like another."""
 MOST_FAR = 0.02
 """Of all points of a picture: letters are drawn a little otherwise by another release of a browser."""
-LETTERS = "<style>* { font-family: 'DejaVu Sans' !important } .symbol, .symbol * { font-family: 'DejaVu Serif' !important }"
+LETTERS = (
+    "<style>* { font-family: 'DejaVu Sans' !important } .symbol, .symbol * { font-family: 'DejaVu Serif' !important }"
+)
 PAGES = {
     "v12_motion": ("3d12", "Motion", "light"),
     "v12_forces": ("3d12", "Largest forces", "light"),
@@ -58,7 +60,9 @@ def test_it_looks_as_it_did(chromium, tmp_path, name):
     apart = np.abs(np.asarray(found, int) - np.asarray(before, int)).max(axis=2)
     if (far := np.mean(apart > FAR)) > MOST_FAR:
         found.save(tmp_path / f"{name}.png")
-        pytest.fail(f"{far:.1%} of it looks otherwise: see {tmp_path / name}.png, and how to draw {LOOKS.name} anew above")
+        pytest.fail(
+            f"{far:.1%} of it looks otherwise: see {tmp_path / name}.png, and how to draw {LOOKS.name} anew above"
+        )
 
 
 def draw_anew(folder):
