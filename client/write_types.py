@@ -14,6 +14,7 @@ from cranktrain.web.case import PageCase, PageHandles
 from cranktrain.web.gallery import Gallery
 from cranktrain.web.going_on import PageGoingOn
 from cranktrain.web.sweeping import SweptDesignsOfPage
+from cranktrain.web.whence import PageWhence
 
 HEAD = """// What a page is given. Written by write_types.py out of the records of cranktrain.web; do not edit.
 
@@ -73,7 +74,7 @@ class Types:
 def types_text() -> str:
     """Give all of them."""
     types = Types()
-    for kind in (PageCase, PageHandles, PageGoingOn, Gallery, SweptDesignsOfPage):
+    for kind in (PageCase, PageHandles, PageGoingOn, Gallery, SweptDesignsOfPage, PageWhence):
         types.interface(kind)
     return "\n".join([HEAD, *types.written.values()])
 

@@ -8,7 +8,7 @@ import { Address, type Asked, askedIn, last } from "./address.ts";
 import { ask, opened, Refused } from "./asking.ts";
 import { Bar } from "./bar.ts";
 import { Colours } from "./colours.ts";
-import type { Gallery, PageCase, PageGoingOn, PageHandles, PageOffer, TabContent } from "./data.ts";
+import type { Gallery, PageCase, PageGoingOn, PageHandles, PageOffer, PageWhence, TabContent } from "./data.ts";
 import { DesignTab } from "./design.ts";
 import { html } from "./elements.ts";
 import { Form, sentence, type Problem } from "./form.ts";
@@ -18,6 +18,7 @@ import { Languages } from "./languages.ts";
 import { MachinePage, type Source } from "./page.ts";
 import { sentOf } from "./sent.ts";
 import { Steps } from "./steps.ts";
+import { WhenceDialog } from "./whence.ts";
 import { said } from "./words.ts";
 
 /** Where a problem lies that is none of the machine: a link may name a language that is not there. */
@@ -47,6 +48,7 @@ class App {
   private readonly design: DesignTab;
   private readonly languages = new Languages((code) => { this.speak(code); });
   private noAnswer = "";
+  private readonly whence = new WhenceDialog((path) => { this.form?.go(path); });
   private form: Form | null = null;
   private shown: Asked | null = null;
   private page: MachinePage | null = null;
@@ -83,7 +85,7 @@ class App {
       event.preventDefault();
       this.walk(event.shiftKey ? 1 : -1);
     });
-    into.replaceChildren(this.bar.element, html("div", { class: "app" }, this.side, this.view), this.files);
+    into.replaceChildren(this.bar.element, html("div", { class: "app" }, this.side, this.view), this.files, this.whence.element);
   }
 
   private speak(code: string): void {
@@ -198,6 +200,7 @@ class App {
         this.bar.offer(exports);
         return trust;
       },
+      whence: (quantity) => { void this.tellWhence(quantity, found); },
       editing: this.editing(found, asked, signal),
     };
     this.design.take(asked, found.tables, words.design);
@@ -229,6 +232,16 @@ class App {
         return "";
       },
     };
+  }
+
+  /** Show where a number is from. */
+  private async tellWhence(quantity: string, { tables, words }: PageCase): Promise<void> {
+    try {
+      const found = (await opened(await ask("api/whence", this.steps.now, { language: this.address.language, quantity }))) as PageWhence;
+      this.whence.show(found, tables, words);
+    } catch (error) {
+      this.fail(error);
+    }
   }
 
   /** Ask for more of what is shown; of what is shown no longer nothing comes. */

@@ -20,6 +20,7 @@ interface Beside {
   readonly tab?: string;
   readonly key?: string;
   readonly suffix?: string;
+  readonly quantity?: string;
   readonly vary?: Readonly<Record<string, string>>;
   readonly wanted?: readonly string[];
 }

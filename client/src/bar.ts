@@ -25,7 +25,7 @@ export class Bar {
   private readonly machines = html("select", {});
   private readonly ownMachine = html("option", { value: SENT, hidden: "" });
   private readonly machinesLabel = html("label", {});
-  private readonly exports = html("select", {});
+  private readonly exports = html("select", { class: "exports" });
   private readonly beside = html("select", {});
   private readonly besideLabel = html("label", {});
   /** What a narrow window shows when it is asked for. */

@@ -533,7 +533,10 @@ export interface CaseWords {
   readonly open: string;
   readonly export: string;
   readonly more: string;
-  readonly broken_link: string;
+  readonly whence: string;
+  readonly stages: string;
+  readonly rests_on: string;
+  readonly close: string;
   readonly design: DesignWords;
   readonly move: string;
   readonly others: string;
@@ -656,4 +659,12 @@ export interface SweptFact {
   readonly of: string;
   readonly unit: string;
   readonly values: Numbers;
+}
+
+export interface PageWhence {
+  readonly is: "PageWhence";
+  readonly title: string;
+  readonly sentences: readonly (string)[];
+  readonly stages: readonly (string)[];
+  readonly inputs: readonly (string)[];
 }

@@ -53,6 +53,12 @@ export class Form {
     }
   }
 
+  /** Go to the field of a number. */
+  go(path: string): void {
+    this.fields.get(path)?.input.focus();
+    this.fields.get(path)?.input.select();
+  }
+
   /** Show what is wrong, each beside its number; what is of none stands above all. */
   blame(problems: readonly Problem[]): void {
     for (const { input, said } of this.fields.values()) {

@@ -29,6 +29,8 @@ const PAUSE = 250;
 export interface Source {
   readonly tab: (name: string) => Promise<TabContent>;
   readonly trust: () => Promise<PageTrust>;
+  /** Show where a number is from. */
+  readonly whence: (quantity: string) => void;
   readonly editing?: Editing;
 }
 
@@ -211,7 +213,7 @@ export class MachinePage {
 
   private show(content: TabContent): void {
     this.panel.classList.remove("computing");
-    this.answers.replaceChildren(answer(content.answer), ...(content.beside ? [table(content.beside)] : []));
+    this.answers.replaceChildren(answer(content.answer, this.source?.whence), ...(content.beside ? [table(content.beside)] : []));
     this.differ.hidden = !hasDifferences(content);
     this.sheets.take(content, this.page.words.numbers, this.isOfDifferences);
     this.follow(content.course);

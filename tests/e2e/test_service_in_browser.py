@@ -93,6 +93,22 @@ def test_a_wrong_number_is_said_beside_it_and_the_page_stays(opened):
     assert said.inner_text() == ""
 
 
+def test_a_number_says_where_it_is_from_and_leads_to_the_numbers_behind_it(opened):
+    page = opened("#machine=3d12&phi=0")
+    page.locator(".answer .way", has_text="mean piston speed").click()
+    dialog = page.locator("dialog.whence")
+    dialog.locator("h2", has_text="mean piston speed").wait_for()
+    assert "eq." in dialog.inner_text()
+    dialog.locator(".way", has_text="speed").first.click()
+    assert not dialog.is_visible()
+    assert page.evaluate("document.activeElement.value") == "1500 rpm"
+    page.locator(".answer .way", has_text="mean piston speed").focus()
+    page.keyboard.press("Enter")
+    dialog.locator("h2").wait_for()
+    page.keyboard.press("Escape")
+    assert not dialog.is_visible()
+
+
 def test_what_was_meant_is_a_button(opened):
     page = opened("#machine=3d12&phi=0")
     settled(page, "stroke", "180.0")

@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator
 from cranktrain.analysis.result_sections import number_sections
 from cranktrain.cli.screen.sections import show_page
 from cranktrain.errors import InputError, Problem
-from cranktrain.io.input_sections import input_section
-from cranktrain.io.machine_file import Input, MachineFile, inputs_of
+from cranktrain.io.input_sections import input_section, inputs_behind
+from cranktrain.io.machine_file import MachineFile
 from cranktrain.language import Words
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
@@ -18,8 +18,6 @@ from cranktrain.saying.sections import PagePart, section
 
 _NAMED = 6
 """Other quantities that the words fit."""
-_OF_A_BANK = 2
-"""Keys in the path of a bank, of which nothing below is its own."""
 
 
 def refuse_beside(words: str | None, others: Iterable[object]) -> None:
@@ -42,7 +40,7 @@ def _why(run: Run, words: str, file: MachineFile | None) -> Iterator[PagePart]:
     found = run.behind(entry.name)
     yield from section(_("Where it is from"), _origin(entry, found, [*beside, *others], run))
     if file is not None and found is not None:
-        yield from input_section(list(_inputs(file, found)))
+        yield from input_section(list(inputs_behind(file, found)))
 
 
 def quantities_called(words: str, run: Run) -> tuple[list[Entry], list[Entry]]:
@@ -81,14 +79,3 @@ def _origin(entry: Entry, found: BehindQuantity | None, others: list[Entry], run
     if others:
         named = [other.name for other in others[:_NAMED]] + (["…"] if len(others) > _NAMED else [])
         yield _("The words fit these, too: {names}", names=", ".join(named))
-
-
-def _inputs(file: MachineFile, found: BehindQuantity) -> Iterator[Input]:
-    """Numbers of the file in the tables that are read on the way."""
-    for one in inputs_of(file):
-        path = one.path.partition("[")[0].split(".")
-        above = [".".join(path[:length]) for length in range(1, len(path) + 1)]
-        # Of a bank or a shaft its own keys; of what else has a name all that stands in it.
-        own = above if path[0] not in ("bank", "shaft") else [above[-2], *above[_OF_A_BANK:]]
-        if not found.tables.isdisjoint(own):
-            yield one

@@ -6,7 +6,11 @@ from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
 from cranktrain.language import said as _
 from cranktrain.one_line import one_line
+from cranktrain.saying.run import BehindQuantity
 from cranktrain.saying.sections import Part, Rows, ShownSection, section
+
+_OF_A_BANK = 2
+"""Keys in the path of a bank, of which nothing below is its own."""
 
 _LISTED = ("assumed", "fitted")
 """Status of numbers that nobody measured: each of them is named."""
@@ -24,6 +28,17 @@ def provenance_section(file: MachineFile) -> Iterator[ShownSection]:
     said = _("{n} numbers of the file: {counted}", n=len(inputs), counted=counted)
     listed = [one for status in _LISTED for one in inputs if one.given.status == status]
     yield from section(_("What this rests on"), [said, *_rows(listed)])
+
+
+def inputs_behind(file: MachineFile, found: BehindQuantity) -> Iterator[Input]:
+    """Numbers of the file in the tables that are read on the way."""
+    for one in inputs_of(file):
+        path = one.path.partition("[")[0].split(".")
+        above = [".".join(path[:length]) for length in range(1, len(path) + 1)]
+        # Of a bank or a shaft its own keys; of what else has a name all that stands in it.
+        own = above if path[0] not in ("bank", "shaft") else [above[-2], *above[_OF_A_BANK:]]
+        if not found.tables.isdisjoint(own):
+            yield one
 
 
 def _rows(inputs: Sequence[Input]) -> Iterator[Part]:

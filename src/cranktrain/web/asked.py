@@ -2,9 +2,9 @@
 
 from typing import Literal, NamedTuple, TypeAlias
 
-Part: TypeAlias = Literal["page", "tab", "trust", "handles", "file", "export", "gallery"]
+Part: TypeAlias = Literal["page", "tab", "trust", "handles", "file", "export", "whence", "gallery"]
 """A machine with one tab open, a tab, what is to be minded, handles of its drawing, the text of its file, a file to
-take away; machines to begin with."""
+take away, where a number is from; machines to begin with."""
 
 MOST_KEPT = 4
 """Machines of which what was computed is kept for what the same page asks next."""
@@ -27,7 +27,7 @@ class Case(NamedTuple):
 class PageQuestion(NamedTuple):
     """Which part of a page is asked for, of which machine if of one, on the tab of which name, beside which saved case.
 
-    key: of a table that is to stand in the machine file, too, or how the name of a file to take away ends.
+    key: of a table that is to stand in the machine file, too; of a quantity; how the name of a file to take away ends.
     language: that of the surroundings unless given.
     """
 

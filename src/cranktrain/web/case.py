@@ -20,6 +20,7 @@ from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
 from cranktrain.web.packed import Packed, packed
 from cranktrain.web.page import ShownMachine, machine_page, tab_content, tab_names
+from cranktrain.web.whence import page_whence
 
 _MOST_MECHANISMS = 200
 """Of a machine; a thousand take a gigabyte."""
@@ -98,7 +99,10 @@ class CaseWords:
     open: Words
     export: Words
     more: Words
-    broken_link: Words
+    whence: Words
+    stages: Words
+    rests_on: Words
+    close: Words
     design: DesignWords
     move: Words
     others: Words
@@ -215,6 +219,13 @@ def file_text(case: Case, key: str = "") -> str:
     return with_table(file, key)
 
 
+def packed_whence(case: Case, quantity: str) -> Packed:
+    """Find where a number is from, and pack it; as `packed_page`."""
+    file, result = _computed(case)
+    with result.in_its_units():
+        return packed(page_whence(file, result, quantity))
+
+
 def export_of(case: Case, tab: str, suffix: str) -> bytes:
     """Make a file to take away, as `exported` does."""
     return exported(*_computed(case), tab, suffix)
@@ -274,7 +285,10 @@ def _case_words() -> CaseWords:
         open=_("Open a file"),
         export=_("Take away"),
         more=_("Add to the file"),
-        broken_link=_("The address has a machine that cannot be read"),
+        whence=_("Where it is from"),
+        stages=_("Stages"),
+        rests_on=_("What this rests on"),
+        close=_("Close"),
         design=DesignWords(
             title=_("Design"),
             varied=_("Vary"),

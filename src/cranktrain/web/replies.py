@@ -6,7 +6,15 @@ from collections.abc import Callable
 from cranktrain.errors import InputError
 from cranktrain.language import _, in_language
 from cranktrain.web.asked import HowFar, PageQuestion, Reply, SweepQuestion
-from cranktrain.web.case import export_of, file_text, packed_handles, packed_page, packed_tab, packed_trust
+from cranktrain.web.case import (
+    export_of,
+    file_text,
+    packed_handles,
+    packed_page,
+    packed_tab,
+    packed_trust,
+    packed_whence,
+)
 from cranktrain.web.gallery import gallery
 from cranktrain.web.packed import packed
 from cranktrain.web.refusals import refusal_of, refused
@@ -55,6 +63,8 @@ def _content(question: PageQuestion) -> bytes:
         return packed(gallery()).content
     if part == "export":
         return export_of(case, tab, key)
+    if part == "whence":
+        return packed_whence(case, key).content
     if part == "page":
         return packed_page(case, tab, beside).content
     if part == "tab":

@@ -82,6 +82,12 @@ class ExportAsked(CaseAsked):
     suffix: Annotated[_Name, Field(description="How the file's name ends.", examples=[".xlsx"])]
 
 
+class WhenceAsked(CaseAsked):
+    """A machine, and a number of it."""
+
+    quantity: Annotated[_Name, Field(description="Its name in results.", examples=["largest_side_force"])]
+
+
 class SweepAsked(CaseAsked):
     """A machine, and what of it is varied."""
 
@@ -143,6 +149,8 @@ def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: st
     case, language = _case_of(asked, known, served), _language_of(asked)
     if isinstance(asked, FileAsked):
         return PageQuestion(case, part, key=asked.key, language=language)
+    if isinstance(asked, WhenceAsked):
+        return PageQuestion(case, part, key=asked.quantity, language=language)
     if isinstance(asked, ExportAsked):
         return PageQuestion(case, part, asked.tab, key=asked.suffix, language=language)
     if not isinstance(asked, PageAsked):

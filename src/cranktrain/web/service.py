@@ -27,6 +27,7 @@ from cranktrain.web.requests import (
     SweepAsked,
     SweepGoing,
     SweepTaken,
+    WhenceAsked,
     question_of,
     sweep_of,
 )
@@ -136,6 +137,11 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
     async def _file(request: Request, asked: FileAsked) -> Response:
         """Give the machine file with the numbers in place, its comments where they were, and with another table."""
         return await answered(request, asked, "file")
+
+    @app.post("/api/whence", **_NUMBERS)
+    async def _whence(request: Request, asked: WhenceAsked) -> Response:
+        """Give where a number is from: its equation, the stages and the numbers of the file behind it."""
+        return await answered(request, asked, "whence")
 
     @app.post("/api/export", response_class=Response, responses=_FILES)
     async def _export(request: Request, asked: ExportAsked) -> Response:

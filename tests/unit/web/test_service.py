@@ -157,7 +157,7 @@ def test_its_interface_is_described(client):
             "/api/file",
             "/api/examples",
             "/api/gallery",
-            "/api/export",
+            *("/api/export", "/api/whence"),
         ),
         *("/api/sweep", "/api/sweep/{number}"),
     }
@@ -193,3 +193,12 @@ def test_a_served_file_stands_beside_the_examples(tmp_path):
     with TestClient(service(str(path)), base_url="http://localhost:8765") as client:
         data, _numbers = opened(client.post("/api/case", json=asked("", "mechanism.rod_length=140 mm")))
         assert {one["text"] for table in data["tables"] for one in table["inputs"]} == {"50 mm", "140 mm"}
+
+
+def test_a_number_says_where_it_is_from(client):
+    found, _numbers = opened(client.post("/api/whence", json={"machine": "3d12", "quantity": "largest_side_force"}))
+    assert any("eq. (13.10)" in sentence for sentence in found["sentences"])
+    assert {"bank.R.mechanism.rod_length", "gas.cut_off_ratio"} <= set(found["inputs"])
+    assert "largest_forces" in found["stages"]
+    answer = client.post("/api/whence", json={"machine": "3d12", "quantity": "no_such_thing"})
+    assert answer.status_code == 422
