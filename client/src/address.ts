@@ -18,6 +18,8 @@ export interface Asked {
   readonly settings: ReadonlyMap<string, string>;
   /** The machine as text, in place of its name. */
   readonly sent?: Sent;
+  /** Whose throw and curves are shown. */
+  readonly piston?: string;
   /** A saved case that stands beside it. */
   readonly beside?: Asked;
 }
@@ -28,8 +30,9 @@ const TIME = "t";
 const MACHINE = "machine";
 const BESIDE = "beside";
 const SENT = "file";
+const PISTON = "piston";
 const LANGUAGE = "lang";
-const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, TIME, MACHINE, BESIDE, SENT, LANGUAGE]);
+const PARTS: ReadonlySet<string> = new Set([TAB, ANGLE, TIME, MACHINE, BESIDE, SENT, PISTON, LANGUAGE]);
 /** What stays when another machine is asked for. */
 const STAYING: ReadonlySet<string> = new Set([TAB, ANGLE, TIME, LANGUAGE]);
 
@@ -52,7 +55,7 @@ export async function askedIn(hash: string): Promise<Asked> {
   const settings = new Map([...found].filter(([name]) => !PARTS.has(name)));
   const beside = found.get(BESIDE);
   const sent = await sentIn(found.get(SENT) ?? "");
-  return { machine: found.get(MACHINE) ?? "", settings, ...(sent && { sent }), ...(beside !== null && { beside: await askedIn(beside) }) };
+  return { machine: found.get(MACHINE) ?? "", settings, ...(sent && { sent }), ...(found.get(PISTON) && { piston: found.get(PISTON) ?? "" }), ...(beside !== null && { beside: await askedIn(beside) }) };
 }
 
 /** Write a place into the part of an address behind #, all else as it was. */
@@ -70,6 +73,7 @@ export function withAsked(hash: string, asked: Asked): string {
   for (const name of [...found.keys()]) if (!STAYING.has(name)) found.delete(name);
   set(found, MACHINE, asked.machine);
   set(found, SENT, asked.sent?.letters ?? "");
+  set(found, PISTON, asked.piston ?? "");
   for (const [path, text] of asked.settings) found.set(path, text);
   if (asked.beside) found.set(BESIDE, withAsked("", asked.beside).slice(1));
   return `#${found.toString()}`;
@@ -115,6 +119,11 @@ export class Address {
 
   speak(code: string): void {
     this.write(withLanguage(this.hash, code));
+  }
+
+  /** Whose throw and curves are shown. */
+  get piston(): string {
+    return parts(this.hash).get(PISTON) ?? "";
   }
 
   stand(place: Place): void {

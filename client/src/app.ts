@@ -200,6 +200,7 @@ class App {
         this.bar.offer(exports);
         return trust;
       },
+      pick: (piston) => { this.ask({ ...this.steps.now, piston }); },
       whence: (quantity) => { void this.tellWhence(quantity, found); },
       editing: this.editing(found, asked, signal),
     };

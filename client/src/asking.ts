@@ -27,7 +27,8 @@ interface Beside {
 
 /** Ask of a machine; what is wrong with it is thrown as `Refused`. */
 export async function ask(where: string, asked: Asked, beside: Beside, signal: AbortSignal | null = null): Promise<Response> {
-  const body = JSON.stringify({ ...caseOf(asked), ...beside, ...(asked.beside ? { beside: caseOf(asked.beside) } : {}) });
+  const piston = asked.piston ? { piston: asked.piston } : {};
+  const body = JSON.stringify({ ...caseOf(asked), ...piston, ...beside, ...(asked.beside ? { beside: caseOf(asked.beside) } : {}) });
   return known(await fetch(where, { method: "POST", headers: { "Content-Type": "application/json" }, body, signal }));
 }
 

@@ -26,6 +26,7 @@ export interface ShownMachine {
   readonly tabs: readonly (PageTab)[];
   readonly trust: PageTrust | null;
   readonly drawing: MachineDrawing;
+  readonly pistons: readonly (string)[];
   readonly ghosts: Numbers;
   readonly words: PageWords;
 }
@@ -496,6 +497,8 @@ export interface PageWords {
   readonly light: string;
   readonly dark: string;
   readonly ghosts: string;
+  readonly piston: string;
+  readonly zoom: string;
 }
 
 export interface NumbersOfTable {

@@ -29,6 +29,8 @@ const PAUSE = 250;
 export interface Source {
   readonly tab: (name: string) => Promise<TabContent>;
   readonly trust: () => Promise<PageTrust>;
+  /** Show the throw and the curves of a piston. */
+  readonly pick: (piston: string) => void;
   /** Show where a number is from. */
   readonly whence: (quantity: string) => void;
   readonly editing?: Editing;
@@ -54,6 +56,7 @@ export class MachinePage {
   private readonly columns: HTMLElement;
   private readonly stage = html("div", { class: "stage" });
   private readonly controls: Controls;
+  private readonly pistons = html("select", { class: "pistons" });
   private readonly leftOut = html("p", { class: "note" });
   private readonly answers = html("div", { class: "answers", "aria-live": "polite" });
   private readonly checked = html("div", {});
@@ -103,11 +106,12 @@ export class MachinePage {
       this.differ.setAttribute("aria-pressed", `${!this.isOfDifferences}`);
       this.choose(this.chosen);
     });
+    this.pistons.addEventListener("change", () => { this.source?.pick(this.pistons.value); });
     this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
     const right = html("section", { class: "right" }, this.toMind, this.panel, this.ownPanel);
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.vectors.element, this.ghosts, this.handles.button), this.controls.keys, this.leftOut),
+      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.pistons, this.vectors.element, this.ghosts, this.handles.button), this.controls.keys, this.leftOut),
       html("section", { class: "left" }, this.answers, this.checked),
       right,
     );
@@ -154,6 +158,7 @@ export class MachinePage {
     write(this.differ, words.differences);
     this.ghosts.replaceChildren(html("span", {}, words.ghosts));
     this.haunt();
+    this.fillPistons(page);
     this.vectors.element.setAttribute("aria-label", words.vectors);
     write(this.leftOut, page.drawing.left_out.length ? `${words.left_out} ${page.drawing.left_out.join(", ")}` : "");
     if (this.stage.firstChild !== this.mechanism.element) this.stage.replaceChildren(this.mechanism.element);
@@ -166,6 +171,15 @@ export class MachinePage {
     }
     this.choose(this.chosen);
     this.handles.take(source?.editing);
+  }
+
+  /** Offer the pistons whose throw may be shown, where it can be asked for. */
+  private fillPistons({ pistons, drawing, words }: ShownMachine): void {
+    this.pistons.hidden = !this.source || pistons.length === 0;
+    this.pistons.setAttribute("aria-label", words.piston);
+    this.pistons.replaceChildren(...pistons.map((name) => html("option", { value: name }, `${words.piston} ${name}`)));
+    const { piston } = this.address;
+    this.pistons.value = pistons.includes(piston) ? piston : (pistons.find((name) => drawing.mechanisms.some((one) => one.name === name)) ?? "");
   }
 
   /** Show a tab, as soon as it is there. */

@@ -109,6 +109,20 @@ def test_a_number_says_where_it_is_from_and_leads_to_the_numbers_behind_it(opene
     assert not dialog.is_visible()
 
 
+def test_another_piston_has_its_throw_and_its_curves(opened):
+    page = opened("#machine=3d12&phi=30&tab=Largest+forces")
+    page.locator("h3", has_text="Forces at piston 1L").wait_for()
+    page.locator("select.pistons").select_option("4R")
+    page.locator("h3", has_text="Forces at piston 4R").wait_for()
+    page.wait_for_url(re.compile("piston=4R"))
+    again = opened(page.url[page.url.index("#") :])
+    again.locator("h3", has_text="Forces at piston 4R").wait_for()
+    assert again.locator("select.pistons").input_value() == "4R"
+    again.locator("label", has_text="Machine").locator("select").select_option("burning_cylinder")
+    again.locator("h1", has_text="Wiebe").wait_for()
+    assert not again.locator("select.pistons").is_visible()
+
+
 def test_what_was_meant_is_a_button(opened):
     page = opened("#machine=3d12&phi=0")
     settled(page, "stroke", "180.0")

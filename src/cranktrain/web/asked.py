@@ -28,7 +28,7 @@ class PageQuestion(NamedTuple):
     """Which part of a page is asked for, of which machine if of one, on the tab of which name, beside which saved case.
 
     key: of a table that is to stand in the machine file, too; of a quantity; how the name of a file to take away ends.
-    language: that of the surroundings unless given.
+    piston: whose throw and curves are shown. language: that of the surroundings unless given.
     """
 
     case: Case | None
@@ -36,6 +36,7 @@ class PageQuestion(NamedTuple):
     tab: str = ""
     beside: Case | None = None
     key: str = ""
+    piston: str = ""
     language: str | None = None
 
 

@@ -12,14 +12,13 @@ from cranktrain.language import Words, _, in_language, languages, spoken_languag
 from cranktrain.one_line import one_line
 from cranktrain.panels.handles import DrawnHandle, drawn_handles
 from cranktrain.paths import parts_of
-from cranktrain.plans.placement import first_throw
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.asked import MOST_KEPT, Case
 from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
 from cranktrain.web.packed import Packed, packed
-from cranktrain.web.page import ShownMachine, machine_page, tab_content, tab_names
+from cranktrain.web.page import ShownMachine, machine_page, shown_throw, tab_content, tab_names
 from cranktrain.web.whence import page_whence
 
 _MOST_MECHANISMS = 200
@@ -147,7 +146,7 @@ class PageHandles:
     open: tuple[Words, ...]
 
 
-def packed_page(case: Case, tab: str, beside: Case | None = None) -> Packed:
+def packed_page(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
     """Compute what a page shows with a tab open, and pack it.
 
     Parameters
@@ -157,6 +156,8 @@ def packed_page(case: Case, tab: str, beside: Case | None = None) -> Packed:
         Its name; the first where there is none of it.
     beside : Case, optional
         A saved case that stands beside it.
+    piston : str
+        Whose throw and curves are shown; the first one's where there is none of that name.
 
     Returns
     -------
@@ -169,16 +170,16 @@ def packed_page(case: Case, tab: str, beside: Case | None = None) -> Packed:
     """
     file, result = _computed(case)
     with result.in_its_units():
-        page = machine_page(result, tab, _result_of(beside))
+        page = machine_page(result, tab, _result_of(beside), piston)
         return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), _case_words()))
 
 
-def packed_tab(case: Case, tab: str, beside: Case | None = None) -> Packed:
+def packed_tab(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
     """Compute what stands on a tab, and pack it; as `packed_page`."""
     _file, result = _computed(case)
     names = tab_names(result)
     with result.in_its_units():
-        return packed(tab_content(result, tab if tab in names else names[0], _result_of(beside)))
+        return packed(tab_content(result, tab if tab in names else names[0], _result_of(beside), piston))
 
 
 def packed_trust(case: Case) -> Packed:
@@ -188,10 +189,10 @@ def packed_trust(case: Case) -> Packed:
         return packed(page_going_on(file, result))
 
 
-def packed_handles(case: Case) -> Packed:
+def packed_handles(case: Case, piston: str = "") -> Packed:
     """Find the pins of the drawing that may be moved, and pack them; as `packed_page`."""
     file, _result = _computed(case)
-    places = first_throw(file.machine)
+    places = shown_throw(file.machine, piston)
     handles = drawn_handles(file.machine, places, [one.path for one in inputs_of(file)])
     return packed(PageHandles(handles, tuple(problem.allowed for problem in file.machine.closing_problems)))
 

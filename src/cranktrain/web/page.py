@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
+from inspect import signature
 from itertools import zip_longest
 from typing import Any, get_type_hints
 
@@ -13,7 +14,9 @@ from cranktrain.analysis.minded import to_mind
 from cranktrain.errors import InputError
 from cranktrain.io.title import headed
 from cranktrain.language import Words, _
+from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.question import Question
+from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.panels.dead_positions import dead_positions
 from cranktrain.panels.drawing import MachineDrawing
@@ -23,7 +26,7 @@ from cranktrain.panels.plotted import plot_of
 from cranktrain.panels.shapes import Panel
 from cranktrain.panels.sheets import pictures_of, vectors_of
 from cranktrain.panels.vectors import VectorsToScale, vectors_as_shown
-from cranktrain.plans.placement import first_throw
+from cranktrain.plans.placement import first_throw, place_called, throw_of
 from cranktrain.record import record
 from cranktrain.saying.row_table import written_group
 from cranktrain.web.parts import page_curves, page_parts
@@ -99,6 +102,8 @@ class PageWords:
     light: Words
     dark: Words
     ghosts: Words
+    piston: Words
+    zoom: Words
 
 
 def _page_words() -> PageWords:
@@ -121,6 +126,8 @@ def _page_words() -> PageWords:
         light=_("light colours"),
         dark=_("dark colours"),
         ghosts=_("Dead centres"),
+        piston=_("Piston"),
+        zoom=_("Enlarge the middle"),
     )
 
 
@@ -138,7 +145,9 @@ class ShownMachine:
     trust : PageTrust or None
         None where they were not asked for.
     drawing : MachineDrawing
-        Its first throw over the cycle, both ends included.
+        A throw over the cycle, both ends included.
+    pistons : tuple of str
+        Names of those whose throw and curves may be shown; none where there is one alone.
     ghosts : Array
         Crank angles of its ghosts, at which its first mechanism turns back; none where nothing is drawn. [deg]
     words : PageWords
@@ -150,11 +159,12 @@ class ShownMachine:
     tabs: tuple[PageTab, ...]
     trust: PageTrust | None
     drawing: MachineDrawing
+    pistons: tuple[str, ...]
     ghosts: Array
     words: PageWords
 
 
-def machine_page(result: Result, tab: str | None = None, saved: Result | None = None) -> ShownMachine:
+def machine_page(result: Result, tab: str | None = None, saved: Result | None = None, piston: str = "") -> ShownMachine:
     """Collect what a page shows of a machine.
 
     Parameters
@@ -166,6 +176,8 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
         trust.
     saved : Result, optional
         Of a machine that stands beside it.
+    piston : str
+        Whose throw and curves are shown; the first one's where there is none of that name.
 
     Returns
     -------
@@ -173,7 +185,7 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
     """
     machine = result.machines[0]
     name, made_of = headed(result)
-    throw = first_throw(machine)
+    throw = shown_throw(machine, piston)
     titles = tab_names(result)
     asked = titles if tab is None else (tab if tab in titles else titles[0],)
     return ShownMachine(
@@ -181,15 +193,30 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
         made_of=made_of,
         cycle=result.cycle,
         tabs=tuple(
-            PageTab(title, _(title), tab_content(result, title, saved) if title in asked else None) for title in titles
+            PageTab(title, _(title), tab_content(result, title, saved, piston) if title in asked else None)
+            for title in titles
         ),
         trust=page_trust(result) if tab is None else None,
         drawing=machine_drawing(
             machine, np.arange(0.0, result.cycle + _STEP / 2, _STEP), mechanism=throw[0].name if throw else None
         ),
+        pistons=pistons_of(machine),
         ghosts=dead_positions(machine, throw[0]) if throw else np.empty(0),
         words=_page_words(),
     )
+
+
+def pistons_of(machine: Machine) -> tuple[str, ...]:
+    """Names of the pistons of a machine that has several."""
+    names = tuple(place.name for place in machine.design.pistons)
+    return names if len(names) > 1 else ()
+
+
+def shown_throw(machine: Machine, piston: str) -> tuple[PlacedMechanism, ...]:
+    """Give the throw of a piston, the first where there is none of that name."""
+    if piston in pistons_of(machine):
+        return throw_of(machine, place_called(machine, piston))
+    return first_throw(machine)
 
 
 def tab_names(result: Result) -> tuple[str, ...]:
@@ -200,7 +227,7 @@ def tab_names(result: Result) -> tuple[str, ...]:
     return (*of_questions, *(tab.name for tab in ASKED_TABS if tab.is_there(result)))
 
 
-def tab_content(result: Result, title: str, saved: Result | None = None) -> TabContent:
+def tab_content(result: Result, title: str, saved: Result | None = None, piston: str = "") -> TabContent:
     """Collect what stands under a title, which is the name of a tab, with rows and curves of a saved case beside."""
     for tab in ASKED_TABS:
         if tab.name == title:
@@ -208,8 +235,8 @@ def tab_content(result: Result, title: str, saved: Result | None = None) -> TabC
     return TabContent(
         answer=written_group(_(title), rows_under(result, title)),
         beside=None if saved is None else facts_beside(result, saved, title),
-        sheets=tuple(_sheets(result, title, saved)),
-        vectors=tuple(map(vectors_as_shown, _vectors(result, title))),
+        sheets=tuple(_sheets(result, title, saved, piston)),
+        vectors=tuple(map(vectors_as_shown, _vectors(result, title, piston))),
     )
 
 
@@ -227,16 +254,16 @@ def _questions(result: Result, title: str) -> list[Question]:
     return [question for question in result.machines[0].questions if question.title == title]
 
 
-def _sheets(result: Result, title: str, saved: Result | None) -> Iterator[PageSheet]:
+def _sheets(result: Result, title: str, saved: Result | None, piston: str) -> Iterator[PageSheet]:
     """Give the sheets of some questions; of those without one some of their curves."""
     makers = list(_makers(result, title))
     for make in makers:
         try:
-            sheet: Sheet = make(result)
+            sheet: Sheet = make(result, **_chosen(result, make, piston))
         except InputError as error:
             yield lacking_sheet(error)
         else:
-            beside = [column.parts for column in _sheet_beside(saved, title, make)]
+            beside = [column.parts for column in _sheet_beside(saved, title, make, piston)]
             parts = zip_longest((column.parts for column in sheet.columns), beside[: len(sheet.columns)], fillvalue=())
             yield PageSheet(sheet.title, tuple(tuple(page_parts(*each)) for each in parts))
     panels, others = (() if makers or one is None else tuple(_curves(one, title)) for one in (result, saved))
@@ -245,22 +272,28 @@ def _sheets(result: Result, title: str, saved: Result | None) -> Iterator[PageSh
         yield PageSheet("", ((curves,),))
 
 
-def _sheet_beside(saved: Result | None, title: str, make: Callable[..., Any]) -> Sequence[SheetColumn]:
+def _sheet_beside(saved: Result | None, title: str, make: Callable[..., Any], piston: str) -> Sequence[SheetColumn]:
     """Make the same sheet of a saved case, if that has all for it; give its columns."""
     if saved is None or make not in _makers(saved, title):
         return ()
     try:
-        sheet: Sheet = make(saved)
+        sheet: Sheet = make(saved, **_chosen(saved, make, piston))
     except InputError:  # where it is the machine that is shown, it says what its file lacks
         return ()
     return sheet.columns
 
 
-def _vectors(result: Result, title: str) -> Iterator[VectorsToScale]:
+def _chosen(result: Result, make: Callable[..., Any], piston: str) -> dict[str, str]:
+    """Choose the piston of a sheet that is one's, if there is one of that name."""
+    takes = "piston" in signature(make).parameters and piston in pistons_of(result.machines[0])
+    return {"piston": piston} if takes else {}
+
+
+def _vectors(result: Result, title: str, piston: str) -> Iterator[VectorsToScale]:
     """Give vectors of some questions on the throw that is drawn."""
     angles = np.arange(0.0, result.cycle + _VECTOR_STEP / 2, _VECTOR_STEP)
     for home in (one for question in _questions(result, title) for one in vectors_of(question.name)):
-        yield from _named(home)(result, first_throw(result.machines[0]), angles)
+        yield from _named(home)(result, shown_throw(result.machines[0], piston), angles)
 
 
 def _named(home: str) -> Callable[..., Any]:

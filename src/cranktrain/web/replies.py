@@ -58,7 +58,7 @@ def _reply(question: PageQuestion | SweepQuestion, say: Callable[[HowFar], None]
 
 def _content(question: PageQuestion) -> bytes:
     """Compute a part of a page as its bytes."""
-    case, part, tab, beside, key, _language = question
+    case, part, tab, beside, key, piston, _language = question
     if case is None:
         return packed(gallery()).content
     if part == "export":
@@ -66,7 +66,7 @@ def _content(question: PageQuestion) -> bytes:
     if part == "whence":
         return packed_whence(case, key).content
     if part == "page":
-        return packed_page(case, tab, beside).content
+        return packed_page(case, tab, beside, piston).content
     if part == "tab":
-        return packed_tab(case, tab, beside).content
-    return (packed_trust(case) if part == "trust" else packed_handles(case)).content
+        return packed_tab(case, tab, beside, piston).content
+    return (packed_trust(case) if part == "trust" else packed_handles(case, piston)).content

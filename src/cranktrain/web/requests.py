@@ -60,7 +60,13 @@ class CaseAsked(MachineAsked):
     ] = ""
 
 
-class PageAsked(CaseAsked):
+class ThrowAsked(CaseAsked):
+    """A machine, and which of its throws is shown."""
+
+    piston: Annotated[_Name, Field(description="Whose throw and curves; the first's where there is none of it.")] = ""
+
+
+class PageAsked(ThrowAsked):
     """A machine, and which tab is open."""
 
     tab: Annotated[_Name, Field(description="By its name; the first where there is none of it.")] = ""
@@ -149,6 +155,8 @@ def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: st
     case, language = _case_of(asked, known, served), _language_of(asked)
     if isinstance(asked, FileAsked):
         return PageQuestion(case, part, key=asked.key, language=language)
+    if isinstance(asked, ThrowAsked) and not isinstance(asked, PageAsked):
+        return PageQuestion(case, part, piston=asked.piston, language=language)
     if isinstance(asked, WhenceAsked):
         return PageQuestion(case, part, key=asked.quantity, language=language)
     if isinstance(asked, ExportAsked):
@@ -156,7 +164,7 @@ def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: st
     if not isinstance(asked, PageAsked):
         return PageQuestion(case, part, language=language)
     beside = asked.beside and _case_of(asked.beside, known, served)
-    return PageQuestion(case, part, asked.tab, beside, language=language)
+    return PageQuestion(case, part, asked.tab, beside, piston=asked.piston, language=language)
 
 
 def sweep_of(asked: SweepAsked, known: Collection[str], served: str | None) -> SweepQuestion:

@@ -27,6 +27,7 @@ from cranktrain.web.requests import (
     SweepAsked,
     SweepGoing,
     SweepTaken,
+    ThrowAsked,
     WhenceAsked,
     question_of,
     sweep_of,
@@ -129,7 +130,7 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
         return await answered(request, asked, "trust")
 
     @app.post("/api/handles", **_NUMBERS)
-    async def _handles(request: Request, asked: CaseAsked) -> Response:
+    async def _handles(request: Request, asked: ThrowAsked) -> Response:
         """Give the pins of the drawing that may be moved, and which numbers that changes."""
         return await answered(request, asked, "handles")
 

@@ -116,3 +116,15 @@ def test_words_and_units_are_those_that_are_chosen():
     travel = first["panels"][0]
     assert travel["unit"] == "in"
     assert np.max(array(found, travel["curves"][0]["values"])) == pytest.approx(78.0 / 25.4, rel=1e-4)
+
+
+def test_a_page_of_another_piston_has_its_throw_and_its_curves():
+    found = result("3d12")
+    other = machine_page(found, "Largest forces", piston="4R")
+    assert [mechanism.name for mechanism in other.drawing.mechanisms] == ["4L", "4R"]
+    (own,) = [tab for tab in other.tabs if tab.content]
+    curves = next(part for part in parts(own) if isinstance(part, PageCurves))
+    assert "4R" in str(curves.panels[0].title)
+    assert machine_page(found, "Motion", piston="no such").drawing.mechanisms[0].name == "1L"
+    assert other.pistons == tuple(found.labels["piston"])
+    assert page("burning_cylinder").pistons == ()
