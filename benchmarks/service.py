@@ -67,33 +67,37 @@ class User:
 
 @contextmanager
 def service():
-    """Start it; give its port, and its processes."""
+    """Start it; give its port, and its process."""
     command = [sys.executable, "-m", "cranktrain", "web", "--no-browser"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, encoding="utf-8")
     try:
         port = int(re.search(r":(\d+)/", process.stdout.readline())[1])
-        User(port, 0).change(0)  # it is there
-        one = psutil.Process(process.pid)
-        yield port, [one, *one.children()]
+        yield port, psutil.Process(process.pid)
     finally:
         process.terminate()
         process.communicate()
 
 
-def processor_time(processes):
-    """What processes have taken so far. [s]"""
-    return sum(sum(one.cpu_times()[:2]) for one in processes)
+def crew(process):
+    """The service and those who compute for it."""
+    return [process, *process.children()]
 
 
-def memory(processes):
-    """What processes have of the memory, each page that they share by its part where the system says it. [MB]"""
-    return sum(getattr(full := one.memory_full_info(), "pss", full.uss) for one in processes) / 1e6
+def processor_time(process):
+    """What the service and those who compute for it have taken so far. [s]"""
+    return sum(sum(one.cpu_times()[:2]) for one in crew(process))
 
 
-def under_users(port, processes, seconds):
+def memory(process):
+    """What they have of the memory, each page that they share by its part where the system says it. [MB]"""
+    return sum(getattr(full := one.memory_full_info(), "pss", full.uss) for one in crew(process)) / 1e6
+
+
+def under_users(port, process, seconds):
     """Let all users change numbers at once; whether it was quick enough, and each had its own."""
     users = [User(port, number) for number in range(N_USERS)]
-    used = processor_time(processes)
+    users[0].change(0)  # it is there
+    used = processor_time(process)
     threads = [threading.Thread(target=user.edit, args=(seconds,)) for user in users]
     for number, thread in enumerate(threads):
         thread.start()
@@ -103,21 +107,21 @@ def under_users(port, processes, seconds):
     times = sorted(one for user in users for one in user.times)
     faults = [fault for user in users for fault in user.faults]
     slowest = statistics.quantiles(times, n=20)[-1]
-    own = (processor_time(processes) - used) / len(times)
-    print(f"{len(times)} changes of {N_USERS} users in {seconds} s, {len(processes) - 1} processes that compute")
+    own = (processor_time(process) - used) / len(times)
+    print(f"{len(times)} changes of {N_USERS} users in {seconds} s, {len(crew(process)) - 1} processes that compute")
     print(f"  median {1e3 * statistics.median(times):.0f} ms, of 95 in 100 {1e3 * slowest:.0f} ms", end="")
     print(f" (limit {1e3 * SLOWEST:.0f}), longest {1e3 * times[-1]:.0f} ms; {1e3 * own:.0f} ms of processors each")
     print(f"  {len(faults)} faults", *faults[:5], sep="\n    ")
     return slowest <= SLOWEST and not faults
 
 
-def over_changes(port, processes, n_changes):
+def over_changes(port, process, n_changes):
     """Change numbers back to back; whether the memory stays."""
     user, found = User(port, 1), {}
     for step in range(1, n_changes + 1):
         user.change(step)
         if step in (100, n_changes):
-            found[step] = memory(processes)
+            found[step] = memory(process)
     growth = found[n_changes] / found[100]
     print(f"memory after 100 changes {found[100]:.0f} MB, after {n_changes} {found[n_changes]:.0f} MB: ", end="")
     print(f"{growth:.3f} (limit {GROWTH:.2f}); {len(user.faults)} faults")
@@ -126,10 +130,10 @@ def over_changes(port, processes, n_changes):
 
 def main():
     is_quick = "--quick" in sys.argv[1:]
-    with service() as (port, processes):
-        is_well = over_changes(port, processes, 300 if is_quick else 1000)
-    with service() as (port, processes):
-        is_well &= under_users(port, processes, 10 if is_quick else 60)
+    with service() as (port, process):
+        is_well = over_changes(port, process, 300 if is_quick else 1000)
+    with service() as (port, process):
+        is_well &= under_users(port, process, 10 if is_quick else 60)
     sys.exit(0 if is_well else 1)
 
 

@@ -73,6 +73,7 @@ def test_ctrl_c_ends_it_at_once_and_says_so(tmp_path):
 def test_ctrl_c_does_not_wait_for_what_is_computed(tmp_path):
     with started(tmp_path) as process:
         address = address_of(process)
+        assert asked(address)[0] == 200  # one that is stopped before it has begun would stop who starts it
         crew = crew_of(process)
         for one in crew:
             one.suspend()  # so that it is at it for as long as anybody waits

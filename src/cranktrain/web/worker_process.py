@@ -3,6 +3,7 @@
 import asyncio
 import os
 import pickle
+import signal
 import sys
 from collections import deque
 from collections.abc import Callable
@@ -77,7 +78,12 @@ class WorkerProcess:
 
     async def end(self) -> None:
         """Take the process away, whatever it is at."""
-        if self._process is not None:
-            with suppress(ProcessLookupError):
+        if self._process is None:
+            return
+        with suppress(ProcessLookupError):
+            if os.name == "posix" and self._process.returncode is None:
+                # Its own kill() looks first whether it has ended, which then nobody else learns who waits for that.
+                os.kill(self._process.pid, signal.SIGKILL)
+            elif os.name != "posix":
                 self._process.kill()
-            await self._process.wait()
+        await self._process.wait()

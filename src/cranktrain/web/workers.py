@@ -60,7 +60,7 @@ class Workers:
     Parameters
     ----------
     n_at_once : int
-        How many there are. Where all are at long questions, up to so many again are started for those who wait.
+        How many there are at most. Where all are at long questions, up to so many again are started for those who wait.
     longest : float
         After which a question is given up. [s]
     """
@@ -76,12 +76,11 @@ class Workers:
         self._is_over = False
 
     async def start(self) -> None:
-        """Start all at once."""
+        """Start the first; the others begin when they are needed, as one user needs one, and each has its memory."""
         self._is_over = False
         self._all = [WorkerProcess() for _each in range(self.n_at_once)]
         self._idle = list(self._all)
-        for worker in self._all:
-            await worker.start()
+        await self._idle[-1].start()
 
     async def stop(self) -> None:
         """End all; whoever waits is said so."""
