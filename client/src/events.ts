@@ -21,19 +21,21 @@ export function events(part: PageEvents, turned: Turned): Shown {
   return { element, show: (time) => { pass(lines, part.events, time); }, fit: () => undefined };
 }
 
-/** Show events over curves: rare ones with their numbers, and their names where there is room; a stroke for all others. */
+/**
+ * Show events over curves: rare ones with their numbers, and their names where there is room; a stroke for all others.
+ * They are for whoever points at them; keys and touch have the list, and the slider.
+ */
 export function strip(part: EventStrip, turned: Turned): Shown {
   const end = number(part.end);
   const names = part.events.map((one) => (one.number ? `${one.number} ${one.name}` : ""));
   const marks = part.events.map((one, place) => {
-    const mark = html("button", { type: "button", title: `${one.time}  ${one.name}, ${one.angle}, ${one.speed}`, class: one.number ? "rare" : "" });
-    mark.setAttribute("aria-label", mark.title);
+    const mark = html("span", { title: `${one.time}  ${one.name}, ${one.angle}, ${one.speed}`, class: one.number ? "rare" : "" });
     mark.style.left = `${(100 * number(one.at)) / end}%`;
     mark.textContent = names[place] ?? "";
     mark.addEventListener("click", () => { turned(number(one.at)); });
     return mark;
   });
-  const element = html("div", { class: "strip" }, ...marks);
+  const element = html("div", { class: "strip", "aria-hidden": "true" }, ...marks);
   const fit = (): void => {
     const rare = part.events.map((one, place) => ({ at: (number(one.at) / end) * element.clientWidth, place })).filter(({ place }) => names[place]);
     rare.forEach(({ at, place }, k) => {

@@ -257,6 +257,19 @@ def test_no_fault_beside_a_wrong_number(opened, axe, colours):
     assert faults(page) == []
 
 
+def test_no_fault_on_any_tab_nor_among_all_machines(opened, axe):
+    page = opened("#machine=jaw_crusher&phi=70")
+    page.locator(".checks").wait_for()
+    page.evaluate(axe)
+    for tab in page.locator(".tabs button").all():
+        tab.click()
+        page.locator(".sheets:not(.computing)").wait_for()
+        assert faults(page) == [], tab.inner_text()
+    page.locator(".bar button", has_text="All machines").click()
+    page.locator("dialog .card").first.wait_for()
+    assert faults(page) == []
+
+
 def test_a_whole_edit_by_keys_alone(opened):
     page = opened("#machine=textbook_78x78&phi=0")
     settled(page, "stroke", "78.00")
