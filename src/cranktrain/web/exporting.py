@@ -87,12 +87,13 @@ def _pieces(file: MachineFile, result: Result, suffix: str) -> Iterator[bytes]:
 
 def _sheet(result: Result, tab: str, path: Path) -> None:
     """Draw the first sheet of a tab, or the machine's."""
-    from cranktrain.viz.output import save  # only where something is drawn
+    from cranktrain.viz.curves import sheet_called  # only where something is drawn
+    from cranktrain.viz.output import save
 
     questions = (question for question in result.machines[0].questions if question.title == tab)
     sheets = (one for question in questions for one in pictures_of(question.name) if one.kind == "sheet")
     name = next((one.name for one in sheets if all(need in result.catalogue for need in one.needs)), "machine")
-    save(lambda: result.sheet(name), path)
+    save(lambda: sheet_called(result, name), path)
 
 
 def _plans(result: Result, _tab: str, path: Path) -> None:
