@@ -149,6 +149,7 @@ export interface PagePolars {
   readonly diagrams: readonly (PolarDiagram)[];
   readonly unit: string;
   readonly notes: string;
+  readonly zoom: string;
 }
 
 export interface PolarDiagram {
@@ -498,7 +499,6 @@ export interface PageWords {
   readonly dark: string;
   readonly ghosts: string;
   readonly piston: string;
-  readonly zoom: string;
 }
 
 export interface NumbersOfTable {

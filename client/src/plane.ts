@@ -16,13 +16,62 @@ const STEP = 30;
 /** Show polar diagrams to one scale; a dot on each stands at the crank angle. */
 export function polars(part: PagePolars, numbers: string): Shown {
   const reach = Math.max(...part.diagrams.flatMap((one) => one.curves.flatMap((curve) => extent(curve.points.values).map(Math.abs))));
-  const shown = part.diagrams.map((one) => polar(one, part.unit, reach, numbers));
+  const shown = part.diagrams.map((one) => polar(one, part, reach, numbers));
   const element = html("div", { class: "plane" }, html("div", { class: "side-by-side" }, ...shown.map((one) => one.element)));
   if (part.notes) element.append(html("p", { class: "note" }, said(part.notes)));
   return { element, show: (angle) => { for (const one of shown) one.show(angle); }, fit: () => undefined };
 }
 
-function polar(diagram: PolarDiagram, unit: string, reach: number, numbers: string): Shown {
+/** By how much the middle of a diagram is enlarged, one after the other. */
+const ZOOMS = [1, 2, 4, 8] as const;
+
+/** A polar diagram, of which the middle may be enlarged. */
+function polar(diagram: PolarDiagram, { unit, zoom }: PagePolars, reach: number, numbers: string): Shown {
+  const first = diagram.curves[0];
+  const cycle = number(diagram.cycle);
+  const place = (angle: number): readonly [number, number] => {
+    const at_ = (line: number): number => (first ? between(row(first.points, line), cycle, angle % cycle) : NaN);
+    return [at_(0), at_(1)];
+  };
+  const below = new NumbersOf(numbers, diagram.title, () => ({
+    heads: ["φ, °", `x, ${unit}`, `y, ${unit}`, unit],
+    rows: Array.from({ length: Math.ceil(cycle / STEP) }, (_one, step) => step * STEP).map((angle) => {
+      const [across, up] = place(angle);
+      return [`${angle}`, ...[across, up, Math.hypot(across, up)].map((one) => figures(one, reach))];
+    }),
+  }));
+  const title = html("h3", {}, said(diagram.title), html("span", { class: "unit" }, ", ", unit));
+  const reading = html("span", { class: "reading" }, `${+Math.hypot(at(diagram.largest, 0), at(diagram.largest, 1)).toPrecision(4)} ${unit}`);
+  const larger = html("button", { type: "button", class: "zoom", title: zoom });
+  let factor = 0;
+  let now = NaN;
+  let shown = drawnPolar(diagram, reach);
+  const named = (): void => {
+    larger.textContent = `×${ZOOMS[factor] ?? 1}`;
+    larger.setAttribute("aria-label", `${zoom} ×${ZOOMS[factor] ?? 1}`);
+  };
+  const show = (angle: number): void => {
+    now = angle;
+    const [across, up] = place(angle);
+    if (!Number.isFinite(across)) return;
+    shown.point(across, up);
+    reading.textContent = `${Math.hypot(across, up).toPrecision(4)} ${unit}`;
+  };
+  larger.addEventListener("click", () => {
+    factor = (factor + 1) % ZOOMS.length;
+    const before = shown.element;
+    shown = drawnPolar(diagram, reach / (ZOOMS[factor] ?? 1));
+    before.replaceWith(shown.element);
+    named();
+    show(now);
+  });
+  named();
+  const element = html("figure", { class: "panel" }, titled(title, below), shown.element, html("figcaption", {}, reading, " ", larger), below.table);
+  return { element, show, fit: () => undefined };
+}
+
+/** Draw a polar diagram to a scale; its pointer is set to a point of it. */
+function drawnPolar(diagram: PolarDiagram, reach: number): { element: SVGSVGElement; point: (across: number, up: number) => void } {
   const scale = (POLAR / 2 - RIM) / (reach || 1);
   const half = POLAR / 2;
   const x = (value: number): number => value * scale;
@@ -56,7 +105,6 @@ function polar(diagram: PolarDiagram, unit: string, reach: number, numbers: stri
     labels.push(place);
     drawn.append(svg("text", { class: "mark", ...place }, `${angle}`));
   });
-  const size = Math.hypot(at(diagram.largest, 0), at(diagram.largest, 1));
   drawn.append(
     svg("circle", { class: "largest", cx: largest.x, cy: largest.y, r: 4.5 }),
     svg("text", { class: "largest", ...called }, `${+diagram.largest_at!.toFixed(0)}°`),
@@ -64,33 +112,13 @@ function polar(diagram: PolarDiagram, unit: string, reach: number, numbers: stri
   const vector = svg("line", { class: "now", x1: 0, y1: 0 });
   const dot = svg("circle", { class: "now", r: 3.2 });
   drawn.append(vector, dot);
-  const first = diagram.curves[0];
-  const reading = html("span", { class: "reading" }, `${+size.toPrecision(4)} ${unit}`);
-  const cycle = number(diagram.cycle);
-  const place = (angle: number): readonly [number, number] => {
-    const at_ = (line: number): number => (first ? between(row(first.points, line), cycle, angle % cycle) : NaN);
-    return [at_(0), at_(1)];
-  };
-  const below = new NumbersOf(numbers, diagram.title, () => ({
-    heads: ["φ, °", `x, ${unit}`, `y, ${unit}`, unit],
-    rows: Array.from({ length: Math.ceil(cycle / STEP) }, (_one, step) => step * STEP).map((angle) => {
-      const [across, up] = place(angle);
-      return [`${angle}`, ...[across, up, Math.hypot(across, up)].map((one) => figures(one, reach))];
-    }),
-  }));
-  const title = html("h3", {}, said(diagram.title), html("span", { class: "unit" }, ", ", unit));
-  const element = html("figure", { class: "panel" }, titled(title, below), drawn, html("figcaption", {}, reading), below.table);
   return {
-    element,
-    show: (angle) => {
-      const [across, up] = place(angle);
-      if (!Number.isFinite(across)) return;
+    element: drawn,
+    point: (across, up) => {
       vector.setAttribute("x2", x(across).toFixed(2));
       vector.setAttribute("y2", y(up).toFixed(2));
       dot.setAttribute("transform", `translate(${x(across).toFixed(2)} ${y(up).toFixed(2)})`);
-      reading.textContent = `${Math.hypot(across, up).toPrecision(4)} ${unit}`;
     },
-    fit: () => undefined,
   };
 }
 

@@ -225,6 +225,21 @@ def test_every_tab_of_every_example(opened, name):
         assert smallest > LEAST_TEXT, tab.inner_text()
 
 
+def test_the_middle_of_a_polar_diagram_is_enlarged(opened):
+    page = opened("3d12", "#phi=30")
+    page.locator(".tabs button", has_text="Main bearings").click()
+    panel = page.locator("figure.panel", has=page.locator("svg.polar")).first
+    largest = panel.locator("text.ring").all_text_contents()[-1]
+    point = panel.locator("circle.now")
+    before = point.get_attribute("transform")
+    for factor in (2, 4, 8, 1):
+        panel.locator("button.zoom").click()
+        assert panel.locator("button.zoom").inner_text() == f"×{factor}"
+        outer = float(panel.locator("text.ring").all_text_contents()[-1].replace("−", "-"))
+        assert 0.4 * float(largest) / factor <= outer <= 2.0 * float(largest) / factor
+    assert point.get_attribute("transform") == before
+
+
 def test_on_a_phone_nothing_reaches_beyond_the_window(opened):
     page = opened("3d12", width=390, height=844, has_touch=True, is_mobile=True)
     for tab in page.locator(".tabs button").all():

@@ -103,7 +103,6 @@ class PageWords:
     dark: Words
     ghosts: Words
     piston: Words
-    zoom: Words
 
 
 def _page_words() -> PageWords:
@@ -127,7 +126,6 @@ def _page_words() -> PageWords:
         dark=_("dark colours"),
         ghosts=_("Dead centres"),
         piston=_("Piston"),
-        zoom=_("Enlarge the middle"),
     )
 
 

@@ -52,11 +52,12 @@ class PageCurves:
 
 @record
 class PagePolars:
-    """Polar diagrams to one scale, all in its unit, and what is said of them."""
+    """Polar diagrams to one scale, all in its unit, what is said of them, and what enlarges their middle."""
 
     diagrams: tuple[PolarDiagram, ...]
     unit: str
     notes: Words
+    zoom: Words
 
 
 @record
@@ -216,7 +217,7 @@ def _polars(diagrams: Sequence[PolarDiagram], notes: Words) -> PagePolars:
     """Give diagrams in one unit."""
     most = max(float(np.max(np.abs(curve.points))) for diagram in diagrams for curve in diagram.curves)
     scale = scale_for("N", most)
-    return PagePolars(tuple(_polar(one, scale) for one in diagrams), scale.label, notes)
+    return PagePolars(tuple(_polar(one, scale) for one in diagrams), scale.label, notes, _("Enlarge the middle"))
 
 
 def _polar(diagram: PolarDiagram, scale: Scale) -> PolarDiagram:
