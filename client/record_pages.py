@@ -80,7 +80,8 @@ def picture_of(page) -> Image.Image:
 
 def taken(page, path: Path) -> None:
     """Keep what a page shows, in few colours."""
-    picture_of(page).quantize(160, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(path, optimize=True)
+    few = picture_of(page).quantize(160, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+    few.save(path, optimize=True)
 
 
 def recorded(page, path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Pictures of pages for the documents are made from the service as it is: each with something in it, and one that moves."""
+"""Pictures of pages for the documents are made of the service as it is: each with something in it, one that moves."""
 
 import subprocess
 import sys
