@@ -14,14 +14,16 @@ const TURN = 360;
 /** Straight pieces of an arc. */
 const PIECES = 12;
 /** From a point to its letter. */
-const OFF = 13;
+const OFF = 16;
+/** Between letters. */
+const APART = 24;
 
 /** Show it. */
 export function constructed(part: ConstructionDrawing): Shown {
   const scale = RADIUS / number(part.radius);
   const half = ROOM * RADIUS;
   const drawn = picture("construction", [-half, -half, 2 * half, 2 * half], svg("title", {}, part.title));
-  const clip = svg("svg", { x: -half, y: -half, width: 2 * half, height: 2 * half, viewBox: `${-half} ${-half} ${2 * half} ${2 * half}` });
+  const clip = svg("g", {});
   const foot = { x: at(part.foot, 0) * scale, y: -at(part.foot, 1) * scale };
   const along = { x: at(part.along, 0), y: -at(part.along, 1) };
   const end = (by: number): Point => ({ x: foot.x + by * along.x, y: foot.y + by * along.y });
@@ -37,7 +39,7 @@ export function constructed(part: ConstructionDrawing): Shown {
   });
   const letters = Object.keys(part.points).map((letter) => {
     const dot = drawn.appendChild(svg("circle", { class: "dot", r: 2.6 }));
-    const text = drawn.appendChild(svg("text", { class: "symbol" }, letter));
+    const text = drawn.appendChild(svg("text", {}, letter));
     return { letter, dot, text };
   });
   const readings = part.readings.map((one) => {
@@ -47,7 +49,7 @@ export function constructed(part: ConstructionDrawing): Shown {
   });
   const largest = Math.max(...part.readings.map((one) => extent(one.displacement.values)[1]));
   const element = html(
-    "figure", { class: "panel construction-figure" },
+    "figure", { class: "construction-figure" },
     html("h3", {}, said(part.title)), drawn,
     html("ul", { class: "legend" }, ...readings.map(({ item }) => item)),
     html("figcaption", {}, said(part.note)),
@@ -88,6 +90,6 @@ function lineOf(line: ConstructedLine, place: (letter: string) => Point): string
 
 /** Where a letter stands beside a point: across the line of stroke, on the side and as far out as others leave it. */
 function free(point: Point, along: Point, taken: readonly Point[]): Point {
-  const sides = [1, -1, 2.2, -2.2, 3.4, -3.4].map((by) => ({ x: point.x - by * OFF * along.y, y: point.y + by * OFF * along.x }));
-  return sides.find((one) => taken.every((other) => Math.hypot(other.x - one.x, other.y - one.y) > OFF)) ?? (sides[0] as Point);
+  const sides = [1, -1, 2.6, -2.6, 4.2, -4.2].map((by) => ({ x: point.x - by * OFF * along.y, y: point.y + by * OFF * along.x }));
+  return sides.find((one) => taken.every((other) => Math.hypot(other.x - one.x, other.y - one.y) > APART)) ?? (sides[0] as Point);
 }
