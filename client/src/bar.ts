@@ -72,7 +72,8 @@ export class Bar {
     for (const name of ["gallery", "open", "undo", "redo", "save", "keep"] as const) this.buttons[name].textContent = words[name];
     this.others.setAttribute("aria-label", words.others);
     this.exports.setAttribute("aria-label", words.export);
-    if (this.exports.options.length === 0) this.exports.append(html("option", { value: "" }, words.export));
+    if (this.exports.options.length === 0) this.exports.append(html("option", { value: "" }));
+    if (this.exports.options[0]) this.exports.options[0].textContent = words.export;
     this.steps(has);
     this.fillCases(asked, words);
   }

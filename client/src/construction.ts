@@ -39,7 +39,7 @@ export function constructed(part: ConstructionDrawing): Shown {
   });
   const letters = Object.keys(part.points).map((letter) => {
     const dot = drawn.appendChild(svg("circle", { class: "dot", r: 2.6 }));
-    const text = drawn.appendChild(svg("text", {}, letter));
+    const text = drawn.appendChild(svg("text", { class: "symbol" }, letter));
     return { letter, dot, text };
   });
   const readings = part.readings.map((one) => {

@@ -30,11 +30,11 @@ def test_each_chart_has_a_name_and_its_numbers(opened):
         tab.click()
         page.evaluate(SETTLED)
         names = page.evaluate(
-            """() => [...document.querySelectorAll(".plot, .sheets svg:not(.sample)")]
+            """() => [...document.querySelectorAll(".plot, .sheets svg:not(.sample, svg svg)")]
             .map((one) => one.role === "img" && (one.ariaLabel ?? one.querySelector("title")?.textContent))"""
         )
         assert names and all(names), tab.inner_text()
-        panels = page.locator(".sheets figure.panel").count()
+        panels = page.locator(".sheets figure.panel:not(.construction-figure)").count()
         assert page.locator(".sheets figure.panel .numbers-of").count() == panels
 
 

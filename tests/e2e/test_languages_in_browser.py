@@ -30,10 +30,10 @@ READ = """() => {
 }"""
 """Whatever is read of a page: what it shows, what it says where somebody points, what it calls its parts. Not names
 from the file: of tables, links and pins; not what languages call themselves."""
-SYMBOLS = "() => [...document.querySelectorAll('.symbol')].map((one) => one.textContent)"
+SYMBOLS = r"() => [...document.querySelectorAll('.symbol')].flatMap((one) => one.textContent.split(/\W+/))"
 """Which are read out with their index, too."""
-NAMES = {"evenness"}
-"""Of a table that a file lacks."""
+NAMES = {"evenness", "fig", "html"}
+"""Of a table that a file lacks, of places in texts, of files."""
 
 
 def nothing_plain(texts, *names):

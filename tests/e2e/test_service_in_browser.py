@@ -263,7 +263,7 @@ def test_no_fault_on_any_tab_nor_among_all_machines(opened, axe):
     page.evaluate(axe)
     for tab in page.locator(".tabs button").all():
         tab.click()
-        page.locator(".sheets:not(.computing)").wait_for()
+        page.locator(".sheets:visible:not(.computing)").wait_for()
         assert faults(page) == [], tab.inner_text()
     page.locator(".bar button", has_text="All machines").click()
     page.locator("dialog .card").first.wait_for()

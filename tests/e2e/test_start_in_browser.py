@@ -172,7 +172,7 @@ def test_the_service_computes_it_when_it_is_opened(chromium, tmp_path):
         page, asked = watched.page, []
         page.on("request", lambda one: asked.append(one.post_data_json) if one.url.endswith("api/tab") else None)
         page.locator(".tabs button", has_text="Torque").click()
-        page.locator(".sheets:not(.computing, [hidden])").wait_for()
+        page.locator(".sheets:visible:not(.computing)").wait_for()
         assert [one["tab"] for one in asked] == ["Torque"]
         page.locator(".tabs button", has_text="Start").click()
         page.locator(".answer", has_text="it ends after").wait_for()
