@@ -85,6 +85,13 @@ def test_files_know_no_machine_but_the_users():
     assert [name_of(path) for path in files if folder.search(path.read_text(encoding="utf-8"))] == []
 
 
+def test_no_file_is_a_link():
+    """A link leads to where its maker had something, and takes all that lies there into what is built."""
+    own = [ROOT / name for name in ("benchmarks", "docs", "src", "tests", "client/src", "client/test", ".ci")]
+    found = [*ROOT.iterdir(), *(path for folder in own for path in folder.rglob("*"))]
+    assert [name_of(path) for path in found if path.is_symlink()] == []
+
+
 def test_documents_named_in_a_file_exist():
     present = {path.name for path in DOCUMENTS}
     named = {
