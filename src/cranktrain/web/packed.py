@@ -4,6 +4,8 @@ import json
 import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
+from functools import cache
+from math import isfinite
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -54,9 +56,12 @@ def packed(value: object) -> Packed:
     return Packed(packer.plain(value), packer.numbers)
 
 
-def _names_of(value: Any) -> tuple[str, ...]:
-    """Names of what a record or a named tuple holds; none of what is neither."""
-    return tuple(field.name for field in fields(value)) if is_dataclass(value) else getattr(value, "_fields", ())
+@cache
+def _names_in(kind: type) -> tuple[str, ...]:
+    """Names of what a record or a named tuple of a class holds; none of what is neither, nor of words."""
+    if issubclass(kind, Said):
+        return ()
+    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else getattr(kind, "_fields", ())
 
 
 class _Packer:
@@ -78,17 +83,19 @@ class _Packer:
             case None | bool() | int() | str():
                 return value
             case float():
-                return value if np.isfinite(value) else None
-            case Said():
-                return str(value)
+                return value if isfinite(value) else None
+            case _ if names := _names_in(type(value)):
+                return {"is": type(value).__name__, **{name: self.plain(getattr(value, name)) for name in names}}
+            case tuple() | list():
+                return [self.plain(one) for one in cast("Sequence[Any]", value)]
             case np.ndarray():
                 return self._array(cast(NDArray[Any], value))
+            case Said():
+                return str(value)
             case np.generic():
                 return self.plain(value.item())
             case Mapping():
                 return {str(name): self.plain(one) for name, one in cast("Mapping[object, Any]", value).items()}
-            case _ if names := _names_of(value):
-                return {"is": type(value).__name__, **{name: self.plain(getattr(value, name)) for name in names}}
             case Sequence():
                 return [self.plain(one) for one in cast("Sequence[Any]", value)]
             case _:
