@@ -26,7 +26,7 @@ export class Bar {
   private readonly ownMachine = html("option", { value: SENT, hidden: "" });
   private readonly machinesLabel = html("label", {});
   private readonly exports = html("select", { class: "exports" });
-  private readonly beside = html("select", {});
+  private readonly beside = html("select", { class: "beside" });
   private readonly besideLabel = html("label", {});
   /** What a narrow window shows when it is asked for. */
   private readonly others = html("button", { type: "button", class: "others", "aria-expanded": "false" }, "⋯");

@@ -121,9 +121,9 @@ def _page_words() -> PageWords:
         differences=_("Differences from the saved case"),
         vectors=_("Vectors on the drawing"),
         colours=_("Colours"),
-        colours_of_system=_("colours as the system"),
-        light=_("light colours"),
-        dark=_("dark colours"),
+        colours_of_system=_("as the system"),
+        light=_("light"),
+        dark=_("dark"),
         ghosts=_("Dead centres"),
         piston=_("Piston"),
     )
