@@ -117,6 +117,11 @@ export class Address {
     return languageIn(this.hash);
   }
 
+  /** Stand where another address says. */
+  go(hash: string): void {
+    this.hash = hash;
+  }
+
   speak(code: string): void {
     this.write(withLanguage(this.hash, code));
   }

@@ -5,13 +5,13 @@ import "./style.css";
 import "./paper.css";
 
 import { Address, type Asked, askedIn, last } from "./address.ts";
-import { ask, opened, Refused } from "./asking.ts";
+import { ask, look, opened, Refused } from "./asking.ts";
 import { Bar } from "./bar.ts";
 import { Colours } from "./colours.ts";
 import type { Gallery, PageCase, PageGoingOn, PageHandles, PageOffer, PageWhence, TabContent } from "./data.ts";
 import { DesignTab } from "./design.ts";
 import { html } from "./elements.ts";
-import { Form, sentence, type Problem } from "./form.ts";
+import { Form, lines, sentence, type Problem } from "./form.ts";
 import { GalleryDialog } from "./gallery.ts";
 import type { Editing } from "./handles.ts";
 import { Languages } from "./languages.ts";
@@ -27,7 +27,7 @@ const LANGUAGE = "language";
 /** From when on it is shown that something is computed. [ms] */
 const PATIENCE = 150;
 
-/** What is shown where nobody asks for anything. */
+/** What is shown where no file is served and nobody asks for anything. */
 const FIRST = "3d12";
 
 /** What the tab on which numbers are varied is called in addresses. */
@@ -38,6 +38,8 @@ const MACHINE_FILE = ".toml";
 
 class App {
   private readonly steps: Steps;
+  /** What is shown where nobody asks for anything. */
+  private readonly first: string;
   private readonly side = html("aside", { class: "side" });
   private readonly offered = html("div", { class: "offers" });
   private readonly view = html("div", { class: "view" });
@@ -59,7 +61,8 @@ class App {
 
   constructor(into: HTMLElement, file: string, examples: readonly string[], address: Address, asked: Asked) {
     this.address = address;
-    this.steps = new Steps(asked.machine || asked.sent || file ? asked : { machine: FIRST, settings: asked.settings });
+    this.first = file ? "" : FIRST;
+    this.steps = new Steps(asked.machine || asked.sent ? asked : { ...asked, machine: this.first });
     this.bar = new Bar(file, examples, {
       machine: (name) => { this.ask({ machine: name, settings: new Map() }); },
       gallery: () => { void this.choose(); },
@@ -72,7 +75,7 @@ class App {
     this.design = new DesignTab({
       load: (settings) => { this.ask({ ...this.steps.now, settings: new Map([...this.steps.now.settings, ...settings]) }); },
       language: () => this.address.language,
-      fail: (error) => { this.fail(error); },
+      wrong: (error) => this.problemsOf(error),
     });
     this.files.addEventListener("change", () => { void this.open([...(this.files.files ?? [])]); });
     document.addEventListener("dragover", (event) => { event.preventDefault(); });
@@ -80,6 +83,7 @@ class App {
       event.preventDefault();
       void this.open([...(event.dataTransfer?.files ?? [])]);
     });
+    addEventListener("hashchange", () => { void this.follow(location.hash); });
     document.addEventListener("keydown", (event) => {
       if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
       event.preventDefault();
@@ -91,6 +95,14 @@ class App {
   private speak(code: string): void {
     this.address.speak(code);
     void this.show();
+  }
+
+  /** Show what an address has that is typed, pasted or gone back to where the page is open. */
+  private async follow(hash: string): Promise<void> {
+    this.address.go(hash);
+    const asked = await askedIn(hash);
+    this.page?.go(this.address.place);
+    this.ask(asked.machine || asked.sent ? asked : { ...asked, machine: this.first });
   }
 
   private walk(by: number): void {
@@ -120,7 +132,13 @@ class App {
   /** Show machines to begin with. */
   private async choose(): Promise<void> {
     if (!this.gallery) {
-      const found = (await opened(await fetch(`api/gallery?language=${encodeURIComponent(this.address.language)}`))) as Gallery;
+      let found: Gallery;
+      try {
+        found = (await opened(await look(`api/gallery?language=${encodeURIComponent(this.address.language)}`))) as Gallery;
+      } catch (error) {
+        this.fail(error);
+        return;
+      }
       this.gallery = new GalleryDialog(found, {
         example: ({ name }) => { this.ask({ machine: name, settings: new Map() }); },
         kind: ({ name, text }) => { void this.take(name, text); },
@@ -141,7 +159,7 @@ class App {
     this.files.value = "";
     if (!files.length) return;
     const texts = await Promise.all(files.map(async (file) => [file.name, await file.text()] as const));
-    const machine = texts.find(([name]) => name.endsWith(MACHINE_FILE));
+    const machine = texts.find(([name]) => name.toLowerCase().endsWith(MACHINE_FILE));
     const others = Object.fromEntries(texts.filter((one) => one !== machine));
     const { sent } = this.steps.now;
     if (machine) await this.take(...machine, others);
@@ -165,11 +183,24 @@ class App {
     } catch (error) {
       if (signal.aborted) return;
       if (this.address.language && error instanceof Refused && error.problems.some((one) => one.path === LANGUAGE)) this.speak("");
-      else this.fail(error);
+      else {
+        const instead = this.page || !(error instanceof Refused) ? null : this.insteadOf(asked);
+        if (instead) {
+          this.steps.change(instead);
+          await this.show();
+        }
+        this.fail(error);
+      }
     } finally {
       clearTimeout(late);
       if (!signal.aborted) this.view.classList.remove("computing");
     }
+  }
+
+  /** What is shown where the first that was asked for cannot be: the machine as in its file, or else the first of all. */
+  private insteadOf({ machine, sent, settings, beside }: Asked): Asked | null {
+    if (settings.size || beside) return { machine, ...(sent && { sent }), settings: new Map() };
+    return sent || machine !== this.first ? { machine: this.first, settings: new Map() } : null;
   }
 
   private fill(found: PageCase, asked: Asked): void {
@@ -282,13 +313,18 @@ class App {
     }
   }
 
+  /** What is wrong where something failed. */
+  private problemsOf(error: unknown): readonly Problem[] {
+    return error instanceof Refused ? error.problems : [{ path: "", given: null, allowed: this.noAnswer || String(error), repair: null, instead: [] }];
+  }
+
   private fail(error: unknown): void {
-    this.blame(error instanceof Refused ? error.problems : [{ path: "", given: null, allowed: this.noAnswer || String(error), repair: null, instead: [] }]);
+    this.blame(this.problemsOf(error));
   }
 
   private blame(problems: readonly Problem[]): void {
     if (this.form) this.form.blame(problems);
-    else this.view.replaceChildren(...problems.map((one) => html("p", { class: "problems" }, `✗ ${one.path} ${one.allowed}`)));
+    else this.view.replaceChildren(html("div", { class: "problems", role: "alert" }, ...lines(problems)));
     this.bar.steps((by) => this.steps.has(by));
   }
 

@@ -5,6 +5,7 @@ import { ask, look, opened } from "./asking.ts";
 import type { DesignWords, OfferedFact, NumbersOfTable, PageCurves, PanelLine, SweptDesignsOfPage } from "./data.ts";
 import { ShownCurves } from "./curves.ts";
 import { html } from "./elements.ts";
+import { lines, type Problem } from "./form.ts";
 import { maps, nearestTo } from "./maps.ts";
 import { same, typed } from "./numbers.ts";
 import { said } from "./words.ts";
@@ -23,7 +24,8 @@ export interface DesignDoings {
   /** Set numbers anew: texts by path. */
   readonly load: (settings: ReadonlyMap<string, string>) => void;
   readonly language: () => string;
-  readonly fail: (error: unknown) => void;
+  /** What is wrong where something failed. */
+  readonly wrong: (error: unknown) => readonly Problem[];
 }
 
 class Axis {
@@ -65,7 +67,10 @@ class Axis {
     if (!this.path.value) return "";
     const [start, end] = [typed(this.start.value), typed(this.end.value)];
     const unit = end?.unit || start?.unit || "";
-    return `${start?.number ?? this.start.value}..${end?.number ?? this.end.value} ${unit}:${this.count.value}`.replace(" :", ":");
+    const isOfTwoUnits = start?.unit && start.unit !== unit;
+    const ends = [isOfTwoUnits ? this.start.value.trim() : start?.number ?? this.start.value, end?.number ?? this.end.value] as const;
+    const isBackwards = !isOfTwoUnits && Number(ends[0]) > Number(ends[1]);
+    return `${(isBackwards ? [...ends].reverse() : ends).join("..")} ${unit}:${this.count.value}`.replace(" :", ":");
   }
 
   /** Propose a range about the present number. */
@@ -89,6 +94,7 @@ export class DesignTab {
   private readonly compute = html("button", { type: "submit" });
   private readonly cancel = html("button", { type: "button", hidden: "" });
   private readonly progress = html("progress", { hidden: "" });
+  private readonly refused = html("div", { class: "problems", role: "alert" });
   private readonly found = html("div", { class: "swept" });
   private readonly hint = html("p", { class: "note", hidden: "" });
   private asked: Asked | null = null;
@@ -116,7 +122,7 @@ export class DesignTab {
     this.cancel.textContent = words.cancel;
     this.hint.textContent = words.hint;
     if (this.element.firstChild) return;
-    const form = html("form", {}, this.axes[0].element, this.axes[1].element, html("div", { class: "wanted" }, html("span", {}, words.wanted), this.facts), html("div", {}, this.compute, " ", this.cancel, " ", this.progress));
+    const form = html("form", {}, this.axes[0].element, this.axes[1].element, html("div", { class: "wanted" }, html("span", {}, words.wanted), this.facts), html("div", {}, this.compute, " ", this.cancel, " ", this.progress), this.refused);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       void this.sweep();
@@ -152,6 +158,7 @@ export class DesignTab {
     await this.stop();
     const vary = Object.fromEntries(this.axes.filter((one) => one.values).map((one) => [one.path.value, one.values]));
     this.wait(true);
+    this.refused.replaceChildren();
     try {
       const { beside: _beside, ...own } = asked;
       const { number } = (await (await ask("api/sweep", own, { language: this.doings.language(), vary, wanted: this.wanted })).json()) as { number: string };
@@ -159,7 +166,7 @@ export class DesignTab {
       const found = await this.computed(number);
       if (found && this.going === number) this.show(found);
     } catch (error) {
-      this.doings.fail(error);
+      this.refused.replaceChildren(...lines(this.doings.wrong(error)));
     } finally {
       this.wait(false);
     }
@@ -184,7 +191,12 @@ export class DesignTab {
     const { going } = this;
     this.going = "";
     this.wait(false);
-    if (going) await fetch(`api/sweep/${going}`, { method: "DELETE" });
+    if (!going) return;
+    try {
+      await fetch(`api/sweep/${going}`, { method: "DELETE" });
+    } catch {
+      // A service that does not answer computes nothing either; the next question says so.
+    }
   }
 
   private wait(isWaiting: boolean): void {

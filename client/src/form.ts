@@ -79,7 +79,7 @@ export class Form {
         return button;
       }));
     }
-    this.rest.replaceChildren(...others.map((one) => html("p", {}, `✗ ${one.path} `, sentence(one))));
+    this.rest.replaceChildren(...lines(others));
   }
 
   private row(one: PageInput, asInFile: string): HTMLElement {
@@ -115,6 +115,11 @@ export function stepOf(text: string, by: number): string {
   if (!found?.[1]) return "";
   const decimals = Math.max(found[1].split(".")[1]?.length ?? 0, Math.abs(by) < 1 ? 1 : 0);
   return text.replace(found[1], (Number(found[1]) + by).toFixed(decimals));
+}
+
+/** Problems that stand beside no field, a line each. */
+export function lines(problems: readonly Problem[]): HTMLElement[] {
+  return problems.map((one) => html("p", {}, `✗ ${one.path} `, sentence(one)));
 }
 
 /** Say a problem. */

@@ -227,8 +227,8 @@ export class Handles {
     const { left, top } = stage.getBoundingClientRect();
     this.label.replaceChildren(words, ...(why ? [html("span", { class: "problems" }, ` ✗ ${why}`)] : []));
     this.label.hidden = !words;
-    this.label.style.left = `${Math.min(this.drag.pointer.x - left + 14, stage.clientWidth - LABEL)}px`;
-    this.label.style.top = `${this.drag.pointer.y - top + 14}px`;
+    this.label.style.left = `${Math.min(Math.max(this.drag.pointer.x, 0) - left + 14, stage.clientWidth - LABEL)}px`;
+    this.label.style.top = `${Math.max(this.drag.pointer.y, 0) - top + 14}px`;
     stage.append(this.label);
   }
 }

@@ -1,6 +1,6 @@
 // A page of one machine: the mechanism beside its curves, tab by tab, all at one crank angle.
 
-import type { Address } from "./address.ts";
+import type { Address, Place } from "./address.ts";
 import type { Colours } from "./colours.ts";
 import { Controls, type Cursor } from "./controls.ts";
 import { Passing } from "./course.ts";
@@ -134,6 +134,15 @@ export class MachinePage {
     if (Number.isNaN(angle) && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.cursor.play();
   }
 
+  /** Stand at the crank angle or the time of an address; its tab comes with its machine. */
+  go({ angle, time }: Place): void {
+    this.asked = time;
+    const place = this.passing ? time : angle;
+    if (Number.isNaN(place)) return;
+    this.cursor.stop();
+    this.cursor.stand(place);
+  }
+
   /** Show a machine in place of what is shown; its tab, its crank angle and all that stays the same stay. */
   take(page: ShownMachine, source?: Source, own: readonly OwnTab[] = []): void {
     this.own = own;
@@ -190,7 +199,9 @@ export class MachinePage {
     const panel = own ? this.ownPanel : this.panel;
     for (const button of this.buttons) {
       const isChosen = button.value === name;
+      const isOther = isChosen && button.getAttribute("aria-selected") !== "true";
       button.setAttribute("aria-selected", `${isChosen}`);
+      if (isOther) inView(this.tabs, button);
       button.tabIndex = isChosen ? 0 : -1;
       if (isChosen) panel.setAttribute("aria-labelledby", button.id);
     }
@@ -337,6 +348,12 @@ export class MachinePage {
     this.choose(this.all[next]);
     buttons[next]?.focus();
   }
+}
+
+/** Scroll a line so far that one of it is seen; the page stays. */
+function inView(line: HTMLElement, one: HTMLElement): void {
+  const [room, box] = [line.getBoundingClientRect(), one.getBoundingClientRect()];
+  line.scrollLeft += Math.max(box.right - room.right, 0) - Math.max(room.left - box.left, 0);
 }
 
 /** Write words where others stand. */

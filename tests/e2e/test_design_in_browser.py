@@ -77,6 +77,23 @@ def test_facts_over_one_number_are_those_of_runs_and_a_click_loads_a_design(page
     page.locator(".head p", has_text="3500 rpm").wait_for(state="detached")
 
 
+def test_what_is_wrong_with_a_range_stands_by_it_and_goes_with_the_next_one(page):
+    want(page, "mean_piston_speed")
+    refused = page.locator(".design .problems")
+    for start, end, said in (
+        ("abc", "4000 rpm", "must be FROM..TO:N"),
+        ("2000 rpm", "300 rad/s", "must have one unit for both ends"),
+    ):
+        vary(page, 0, SPEED, start, end, "5")
+        page.locator(".design button[type=submit]").click()
+        refused.filter(has_text=said).wait_for()
+    assert page.locator(".numbers [aria-invalid]").count() == 0
+    vary(page, 0, SPEED, "9000 rpm", "200 rpm", "5")
+    compute(page)
+    assert refused.inner_text() == ""
+    assert page.locator(".swept figure").first.inner_text().count("–") == 0
+
+
 def test_two_numbers_are_a_map_and_a_click_loads_both(page):
     others = [path for path in paths(page) if path.endswith("rod_length")]
     vary(page, 0, SPEED, "2000 rpm", "4000 rpm", "9")

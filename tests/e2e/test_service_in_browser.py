@@ -6,7 +6,7 @@ import tomllib
 import pytest
 from tests.browser import Watched, faults, tab_to
 from tests.sentences import NOT_POSITIVE
-from tests.serving import served
+from tests.serving import address_of, served, started
 
 import cranktrain as ct
 
@@ -353,3 +353,69 @@ def test_a_pivot_s_pull_stops_where_there_is_no_such_machine(opened):
     lengths = field(page, "rod length"), field(page, "rocker length")
     assert lengths != ("1085 mm", "455 mm")
     assert all(re.fullmatch(r"[\d.]+ mm", one) for one in lengths)
+
+
+def test_a_link_pasted_where_the_page_is_open_is_followed_and_the_browser_goes_back(opened):
+    page = opened("#machine=3d12&phi=0")
+    settled(page, "mean piston speed", "9.000")
+    page.evaluate("location.hash = '#machine=textbook_78x78&phi=30&tab=Torque'")
+    page.locator("h1", has_text="78 × 78").wait_for()
+    page.locator("[role=tab][aria-selected=true]", has_text="Torque").wait_for()
+    assert page.locator("output.angle").inner_text() == "φ = 30°"
+    page.go_back()
+    page.locator("h1", has_text="3D12").wait_for()
+    assert page.locator("output.angle").inner_text() == "φ = 0°"
+
+
+def test_at_a_narrow_width_the_open_tab_of_a_link_and_the_crank_angle_are_in_view(opened):
+    page = opened("#machine=compressor_start&phi=640.5&tab=Textbook")
+    page.set_viewport_size({"width": 1024, "height": 768})
+    page.evaluate("location.hash = '#machine=3d12&phi=640.5&tab=Main+bearings'")
+    page.locator("h1", has_text="3D12").wait_for()
+    tab = page.locator("[role=tab][aria-selected=true]", has_text="Main bearings").bounding_box()
+    assert tab["x"] + tab["width"] < 1025  # a line scrolls by whole pixels
+    right = "one => one.getBoundingClientRect().right"
+    assert page.locator("output.angle").evaluate(right) <= page.locator("section.drawing").evaluate(right)
+
+
+@pytest.mark.parametrize(
+    ("place", "title", "said"),
+    [
+        ("#machine=no_such_machine", "Wiebe", "must be one of the examples"),
+        ("#machine=3d12&cylinder.bore=big", "3D12", "must be a length"),
+        ("#machine=3d12&no.such=1", "3D12", "no.such"),
+        ("#file=nothing", "Wiebe", ""),
+    ],
+)
+def test_of_a_link_that_cannot_be_it_is_said_why_and_the_page_can_be_used(opened, place, title, said):
+    page = opened(place)
+    page.locator("h1", has_text=title).wait_for()
+    page.locator(".said, .problems").filter(has_text=said).first.wait_for(state="attached")
+    page.get_by_role("button", name="All machines").wait_for()
+    assert page.locator("button", has_text="Undo").is_disabled()
+
+
+def test_a_machine_file_may_end_in_capitals(opened):
+    page = opened("#machine=3d12&phi=0")
+    text = page.request.post(page.url.partition("#")[0] + "api/file", data={"machine": "textbook_78x78"}).body()
+    page.locator("input[type=file]").set_input_files({"name": "ENGINE.TOML", "mimeType": "", "buffer": text})
+    page.locator("h1", has_text="78 × 78").wait_for()
+
+
+def test_what_does_not_answer_is_told_and_the_page_goes_on(chromium, tmp_path):
+    with started(tmp_path, "burning_cylinder") as service:
+        context = chromium.new_context(viewport={"width": 1440, "height": 900})
+        watched = Watched(context, address_of(service))
+        page = watched.page
+        page.locator(".offers button").first.wait_for()
+        service.terminate()
+        service.wait(timeout=20)
+        page.get_by_role("button", name="All machines").click()
+        page.locator(".problems", has_text="the service does not answer").wait_for()
+        page.locator("[role=tab]").nth(1).click()
+        page.wait_for_timeout(300)
+        before = page.locator("output.angle").inner_text()
+        page.wait_for_timeout(300)
+        assert page.locator("output.angle").inner_text() != before
+        assert [fault for fault in watched.faults if "ERR_CONNECTION_REFUSED" not in fault] == []
+        context.close()

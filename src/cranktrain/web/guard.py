@@ -120,7 +120,7 @@ class Guard:
         if not self._is_known(token or headers.get("authorization", "").removeprefix("Bearer ")):
             return 401, _("needs the token of the address that `cranktrain web` said: open that, or send it along")
         if not length.isdecimal() or int(length) > MOST_BYTES or "transfer-encoding" in headers:
-            return 413, _("must say how long it is, at most {n} kB", n=MOST_BYTES // 1000)
+            return 413, _("is too long: what is sent may have {n} kB, and says how many", n=MOST_BYTES // 1000)
         return None
 
     def _is_known(self, token: str) -> bool:

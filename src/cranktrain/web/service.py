@@ -1,6 +1,7 @@
 """The service of pages: a machine and numbers set anew in, what a page shows out. It keeps nothing between requests."""
 
 import asyncio
+import re
 from collections.abc import AsyncGenerator, Callable
 from contextlib import AbstractContextManager, asynccontextmanager
 from html import escape
@@ -13,7 +14,7 @@ from fastapi.responses import HTMLResponse, JSONResponse, PlainTextResponse, Res
 
 from cranktrain.errors import InputError, Problem
 from cranktrain.io.examples import example_names
-from cranktrain.language import _, in_language, languages, spoken_language
+from cranktrain.language import Words, _, in_language, languages, spoken_language
 from cranktrain.version import VERSION
 from cranktrain.web.asked import HowFar, PageQuestion, Part, Reply, SweepQuestion
 from cranktrain.web.guard import Door, Guard, response_of
@@ -34,6 +35,9 @@ from cranktrain.web.requests import (
 )
 from cranktrain.web.sweeps import Sweeps
 from cranktrain.web.workers import InThisProcess, Replying
+
+_SETTING = re.compile(r"([\w.\[\]-]{1,100})=")
+"""A number that is set, after its path."""
 
 _PAGE = """<!doctype html>
 <html lang="{language}">
@@ -228,9 +232,25 @@ async def _gone(request: Request) -> None:
 
 
 def _malformed(_request: Request, error: Any) -> Response:
-    """Say what of a request is wrong; nothing of it is quoted."""
-    found = [Problem(".".join(map(str, one["loc"])), None, str(one["msg"])) for one in error.errors()]
-    return response_of(refused(found))
+    """Say what of a request is wrong; nothing of it is quoted but the path of a number."""
+    return response_of(refused(Problem(_place_of(one), None, _allowed_of(one)) for one in error.errors()))
+
+
+def _place_of(one: dict[str, Any]) -> str:
+    """Where something malformed stands: of a number that is set its path, so that it is told beside its field."""
+    where = ".".join(map(str, one["loc"][1:] or one["loc"]))
+    setting = _SETTING.match(str(one["input"])) if where.startswith("settings.") else None
+    return setting[1] if setting else where
+
+
+def _allowed_of(one: dict[str, Any]) -> Words:
+    """What would be right in its place."""
+    most = one.get("ctx", {}).get("max_length")
+    if one["type"] == "string_too_long":
+        return _("is too long: it may have {n} characters", n=most)
+    if one["type"] == "too_long":
+        return _("is too much at once: {n} may be sent", n=most)
+    return str(one["msg"])
 
 
 def _unknown(_request: Request, error: Any) -> Response:

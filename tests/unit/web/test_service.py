@@ -141,6 +141,16 @@ def test_what_is_malformed_is_refused(client, body):
     assert 400 <= answer.status_code < 500
 
 
+def test_what_is_too_long_is_told_in_a_sentence_at_its_place(client):
+    for body, path, words in (
+        (asked("3d12", "cylinder.bore=" + "9" * 500), "cylinder.bore", "is too long: it may have 500 characters"),
+        (asked("3d12", *["a=1"] * 101), "settings", "is too much at once: 100 may be sent"),
+        ({"text": "#" * 64_001}, "text", "is too long: it may have 64000 characters"),
+    ):
+        (problem,) = client.post("/api/case", json=body).json()
+        assert (problem["path"], problem["allowed"]) == (path, words)
+
+
 def test_script_in_a_name_stays_text(client):
     data, _numbers = opened(client.post("/api/case", json=asked("3d12", "name=<b>x</b>")))
     assert data["machine"]["name"] == "<b>x</b>"
