@@ -87,6 +87,48 @@ def test_every_closed_form(name):
         )
 
 
+@pytest.mark.parametrize(
+    ("name", "row", "place", "mean"),
+    [
+        (
+            "vaz_21213",
+            {
+                "crankshaft.web_width": "77.62119981292722 mm",
+                "torsion.disc.flywheel.stiffness": "0.8090882554285745 MN·m/rad",
+                "shaft.main.speed": "5346.082376060015 rpm",
+                "masses.rod.big_end": "531.3567549116448 g",
+                "crankshaft.web_thickness": "19.19271527165504 mm",
+                "crankshaft.journal_diameter": "49.72516681517 mm",
+            },
+            (2, 2),
+            9750.825468497635,
+        ),
+        (
+            "kamaz_740",  # whose left cylinders have next to no clearance
+            {
+                "crankshaft.web_thickness": "26.139739644638276 mm",
+                "shaft.main.spacing": "153.11971815056197 mm",
+                "gas.cut_off_ratio": 1.4618097867967357,
+                "masses.piston.mass": "2.592155019660165 kg",
+                "crankshaft.web_width": "128.17679083721583 mm",
+                "bank.L.mechanism.rod_length": "232.3425212324325 mm",
+            },
+            (3, 2),
+            246457.6465664846,
+        ),
+    ],
+)
+def test_the_mean_of_a_bearing_load_that_nearly_vanishes(name, row, place, mean):
+    """The mean by panels of 0.6° and narrower, of which each shows the load's size to 1e-9."""
+    machine = ct.load(name).with_(row)
+    way = way_to(machine, ["mean_bearing_load"])
+    assert isinstance(way, CompiledWay)
+    found = facts_of_cycles(in_columns([machine] * 2), 2, way).values["mean_bearing_load"][0]
+    by_run = ct.run(machine, quantities="mean_bearing_load").mean_bearing_load
+    assert by_run[place] == pytest.approx(mean, rel=1e-11)
+    np.testing.assert_allclose(by_run, found, rtol=0, atol=1e-11 * np.max(found))
+
+
 def test_chains_are_not_compiled():
     ways = {kind.name: way_to(WEIGHED[kind.name], ["largest_torque"]) for kind in KINDS}
     assert {name for name, way in ways.items() if isinstance(way, CompiledWay)} == set(CLOSED_FORMS)

@@ -10,8 +10,8 @@ from cranktrain.motion import Array
 from cranktrain.numerics.products import product
 from cranktrain.numerics.subintervals import Subintervals, interpolation, leggauss, to_series
 
-_SHOWN = 1e-6
-"""Last orders of a size in a panel, in parts of its largest, of which the integral's error is about the square."""
+_SHOWN = 1e-8
+"""Last orders of a size in a panel, in parts of its largest: the integral is then far nearer, if none is by chance."""
 _MOST_HALVINGS = 40
 
 
@@ -31,7 +31,8 @@ def integral_of_size(of: Subintervals, parts: Sequence[Array]) -> Array:
 
     Notes
     -----
-    Between a panel's points a vector is their polynomial. Panels are halved where its size is none that they show.
+    Between a panel's points a vector is their polynomial. Panels are halved where its size is none that they show, and
+    where the vector may come next to nothing between points: of a sharp turn there last orders may be small by chance.
 
     Examples
     --------
@@ -56,7 +57,7 @@ def integral_of_size(of: Subintervals, parts: Sequence[Array]) -> Array:
         for n_halvings in range(_MOST_HALVINGS + 1):
             size = _size(vector)
             last = np.max(np.abs(product(size, to_series(n_nodes)[-2:].T)), axis=-1)
-            is_sharp = (last > _SHOWN * largest[curve]) | _turns_round(vector, _SHOWN * largest[curve])
+            is_sharp = (last > _SHOWN * largest[curve]) | _may_vanish(vector, _SHOWN * largest[curve])
             is_sharp &= n_halvings < _MOST_HALVINGS
             total += np.bincount(curve, np.where(is_sharp, 0.0, half * product(size, weight)), n_curves)
             if not np.any(is_sharp):
@@ -66,16 +67,17 @@ def integral_of_size(of: Subintervals, parts: Sequence[Array]) -> Array:
     return total
 
 
-def _turns_round(vector: Array, shown: Array) -> NDArray[np.bool_]:
-    """Whether a vector turns round from one point of a panel, or from an end, to the next: its last orders may miss it.
+def _may_vanish(vector: Array, shown: Array) -> NDArray[np.bool_]:
+    """Whether a vector changes by more than its size from a point of a panel, or an end, to the next: it may vanish.
 
     Shapes (part, panel, n) and (panel,); where the vector is less on both sides than is shown, that is no matter.
     """
     ends = product(vector, _at_ends(vector.shape[-1]))
     along = np.concatenate([ends[..., :1], vector, ends[..., 1:]], axis=-1)
-    turns = np.sum(along[..., 1:] * along[..., :-1], axis=0) < 0
-    size = _size(along)
-    return np.any(turns & (np.maximum(size[:, 1:], size[:, :-1]) > shown[:, np.newaxis]), axis=-1)
+    size, change = _size(along), _size(np.diff(along, axis=-1))
+    before, after = size[:, :-1], size[:, 1:]
+    is_near = (change > np.minimum(before, after)) & (np.maximum(before, after) > shown[:, np.newaxis])
+    return np.any(is_near, axis=-1)
 
 
 def _size(vectors: Array) -> Array:

@@ -10,6 +10,13 @@ from cranktrain.numerics.size_integral import integral_of_size
 CUT = subintervals(np.array([0.3, 2.0]), np.pi / 9, 2 * np.pi)
 
 
+def out_and_back(slow):
+    """Integral of |1 − cos φ + s sin φ| over a turn."""
+    corner = -2 * np.arctan(slow)
+    between = -slow - (corner - np.sin(corner) - slow * np.cos(corner))
+    return 2 * np.pi - 2 * between
+
+
 @pytest.mark.parametrize("apart", [0.0, 1e-12, 1e-5, 0.003, 0.1, 0.9])
 @pytest.mark.parametrize("turn", [0.4, 1.1234])
 def test_a_vector_that_passes_nothing(apart, turn):
@@ -27,6 +34,15 @@ def test_a_vector_that_turns_round_anywhere_in_a_panel():
     turn = np.random.default_rng(1).uniform(0, 2 * np.pi, (400, 1))
     found = integral_of_size(CUT, (np.sin(CUT.angle - turn), np.zeros((400, CUT.angle.size))))
     np.testing.assert_allclose(found, 4, rtol=1e-11)
+
+
+@pytest.mark.parametrize("slow", [1e-3, 5e-3, 0.014, 0.1])
+def test_a_vector_that_turns_round_and_back_between_two_points(slow):
+    """|1 − cos φ + s sin φ| with the corners 0 and −2 arctan s, between which ∫ = φ − sin φ − s cos φ is negative."""
+    turn = np.random.default_rng(2).uniform(0, 2 * np.pi, (400, 1))
+    along = 1 - np.cos(CUT.angle - turn) + slow * np.sin(CUT.angle - turn)
+    found = integral_of_size(CUT, (along, np.zeros_like(along)))
+    np.testing.assert_allclose(found, out_and_back(slow), rtol=1e-11)
 
 
 def test_a_vector_that_is_not_known():

@@ -57,16 +57,17 @@ def gas_events(gas: GasInChambers, travel: CylinderTravel, crank_angle: CrankAng
 def _beside_poles(least: Coefficient) -> list[Array]:
     """From a firing: where pieces have to end as the pressure has a pole near it, shapes (design, distinct, 1). [rad]
 
-    Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ: a piece reaches as far as that, three times as
-    far, and so on. None where all poles are farther than pieces are wide.
+    Near its least value V = V_c + ½V″φ², which is 0 at an imaginary φ: a piece reaches half as far as that, the next
+    one twice as far, and so on, so that few points show the pressure itself. None where all poles are farther than
+    pieces are wide.
     """
     with np.errstate(all="ignore"):
         away = np.sqrt(2 * least.value / least.second)
-    reach = np.where((away > 0) & (away < _NEAR_POLE), away, np.nan)
+    reach = np.where((away > 0) & (away < _NEAR_POLE), away / 2, np.nan)
     found: list[Array] = []
     while np.any(reach < 2 * _NEAR_POLE):
         found += [-reach, reach]
-        reach = np.where(3 * reach < 2 * _NEAR_POLE, 3 * reach, np.nan)
+        reach = np.where(reach < _NEAR_POLE, 2 * reach, np.nan)
     return found
 
 

@@ -182,7 +182,7 @@ def mean_size(x: Array, y: Array, cut: CutCycle, tops: Tops) -> float:
         start, width, whole = -1.0, 2.0, 0.0
         while start < 1.0 - _NOTHING:
             part, is_shown = _integral_of_size(of_x, of_y, start, width, row, cut.nodes)
-            if is_shown or width < _NARROWEST:
+            if is_shown:
                 whole += part
                 start += width
                 width = min(2.0 * width, 1.0 - start)
@@ -195,19 +195,30 @@ def mean_size(x: Array, y: Array, cut: CutCycle, tops: Tops) -> float:
 def _integral_of_size(
     x: Array, y: Array, start: float, width: float, row: int, nodes: PanelNodes
 ) -> tuple[float, bool]:
-    """Integral of the size of a vector over a piece of [−1, 1], and whether its points show it."""
+    """Integral of the size of a vector over a piece of [−1, 1], and whether its points show it.
+
+    They do not where the vector changes by more than its size from one point to the next: between these it may come
+    next to nothing, and of the size's sharp turn there the last orders may be small by chance. The narrowest piece
+    is taken as it is.
+    """
     size, most = nodes.size[row], len(nodes.size) - 1
     total, scale, last, other = 0.0, 0.0, 0.0, 0.0
     n_points = nodes.size[most]
+    before_x, before_y, before = 0.0, 0.0, 0.0
     for node in range(n_points):
         way = start + 0.5 * width * (1.0 + nodes.place[most, node])
         at_x, at_y = _at(x, size, way)[0], _at(y, size, way)[0]
-        value = np.sqrt(at_x * at_x + at_y * at_y)
+        square = at_x * at_x + at_y * at_y
+        by_x, by_y = at_x - before_x, at_y - before_y
+        if width >= _NARROWEST and node > 0 and by_x * by_x + by_y * by_y > min(square, before):
+            return 0.0, False
+        before_x, before_y, before = at_x, at_y, square
+        value = np.sqrt(square)
         scale = max(scale, value)
         total += nodes.weight[most, node] * value
         last += nodes.series[most, n_points - 1, node] * value
         other += nodes.series[most, n_points - 2, node] * value
-    return 0.5 * width * total, max(abs(last), abs(other)) <= _SHOWN * scale
+    return 0.5 * width * total, width < _NARROWEST or max(abs(last), abs(other)) <= _SHOWN * scale
 
 
 def _polished(

@@ -157,6 +157,18 @@ def test_the_mean_size_of_what_passes_through_nothing():
     assert mean_size(x, nothing, own.cut, own.tops) == pytest.approx(2 / np.pi, rel=1e-9)
 
 
+@pytest.mark.parametrize("slow", [0.007, 0.011])
+def test_the_mean_size_of_what_turns_round_and_back_between_two_points(slow):
+    """|1 − cos φ + s sin φ| with the corners 0 and −2 arctan s, between which ∫ = φ − sin φ − s cos φ is negative."""
+    corner = -2 * np.arctan(slow)
+    between = -slow - (corner - np.sin(corner) - slow * np.cos(corner))
+    own = Cut((0.2, 2.2))
+    nothing = np.zeros(len(own.panels.angle))
+    for turn in np.linspace(0.0, TURN, 50):
+        x = own.laid(lambda phi, turn=turn: 1 - np.cos(phi - turn) + slow * np.sin(phi - turn))
+        assert mean_size(x, nothing, own.cut, own.tops) == pytest.approx(1 - 2 * between / TURN, rel=1e-11)
+
+
 def test_integrals_from_the_first_panel_on():
     own = Cut((0.2, 2.2))
     integral = np.zeros(len(own.panels.angle))
