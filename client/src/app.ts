@@ -8,7 +8,7 @@ import { Address, type Asked, askedIn, last } from "./address.ts";
 import { ask, look, opened, Refused } from "./asking.ts";
 import { Bar } from "./bar.ts";
 import { Colours } from "./colours.ts";
-import type { Gallery, PageCase, PageGoingOn, PageHandles, PageOffer, PageWhence, TabContent } from "./data.ts";
+import type { CaseWords, Gallery, PageCase, PageGoingOn, PageHandles, PageOffer, PageWhence, TabContent } from "./data.ts";
 import { DesignTab } from "./design.ts";
 import { html } from "./elements.ts";
 import { Form, lines, sentence, type Problem } from "./form.ts";
@@ -55,6 +55,7 @@ class App {
   private shown: Asked | null = null;
   private page: MachinePage | null = null;
   private gallery: GalleryDialog | null = null;
+  private words: CaseWords | null = null;
   private asking = new AbortController();
   /** Handles of what was asked for last. */
   private handles: { readonly of: Asked; readonly found: PageHandles } | null = null;
@@ -159,15 +160,14 @@ class App {
     this.files.value = "";
     if (!files.length) return;
     const texts = await Promise.all(files.map(async (file) => [file.name, await file.text()] as const));
-    const machine = texts.find(([name]) => name.toLowerCase().endsWith(MACHINE_FILE));
-    const others = Object.fromEntries(texts.filter((one) => one !== machine));
+    const [machine, second] = texts.filter(([name]) => name.toLowerCase().endsWith(MACHINE_FILE));
+    const others = texts.filter((one) => one !== machine && one !== second);
     const { sent } = this.steps.now;
-    if (machine) await this.take(...machine, others);
-    else if (sent) await this.take(sent.name, sent.text, { ...sent.files, ...others });
-    else {
-      const text = await this.fileText();
-      if (text !== null) await this.take(this.steps.now.machine, text, others);
-    }
+    const [name, text, before] = machine ? [...machine, {}] : sent ? [sent.name, sent.text, sent.files] : [this.steps.now.machine, await this.fileText(), {}];
+    if (text === null) return;
+    const stray = [...(second ? [[second[0], this.words?.second] as const] : []), ...others.filter(([other]) => !text.includes(other)).map(([other]) => [other, this.words?.unnamed] as const)];
+    if (stray.length) this.blame(stray.map(([path, allowed]) => ({ path, given: null, allowed: allowed ?? "", repair: null, instead: [] })));
+    else await this.take(name, text, { ...before, ...Object.fromEntries(others) });
   }
 
   /** Ask for what is to be shown, and show it; of several that are asked for the last alone. */
@@ -205,6 +205,7 @@ class App {
 
   private fill(found: PageCase, asked: Asked): void {
     const { words } = found;
+    this.words = words;
     this.address.ask(asked);
     this.bar.take(asked, words, (by) => this.steps.has(by));
     this.noAnswer = words.no_answer;

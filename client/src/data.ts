@@ -536,6 +536,8 @@ export interface CaseWords {
   readonly open: string;
   readonly export: string;
   readonly more: string;
+  readonly unnamed: string;
+  readonly second: string;
   readonly whence: string;
   readonly stages: string;
   readonly rests_on: string;

@@ -100,7 +100,10 @@ export class DesignTab {
   private asked: Asked | null = null;
   private words: DesignWords | null = null;
   private curves: readonly ShownCurves[] = [];
+  /** The sweep that is computed. */
   private going = "";
+  /** What was asked for last, or stopped: of what was before nothing is shown. */
+  private round = 0;
 
   constructor(doings: DesignDoings) {
     this.doings = doings;
@@ -156,19 +159,24 @@ export class DesignTab {
     const { asked } = this;
     if (!asked) return;
     await this.stop();
+    const { round } = this;
     const vary = Object.fromEntries(this.axes.filter((one) => one.values).map((one) => [one.path.value, one.values]));
     this.wait(true);
     this.refused.replaceChildren();
     try {
       const { beside: _beside, ...own } = asked;
       const { number } = (await (await ask("api/sweep", own, { language: this.doings.language(), vary, wanted: this.wanted })).json()) as { number: string };
+      if (round !== this.round) {
+        await ended(number);
+        return;
+      }
       this.going = number;
       const found = await this.computed(number);
-      if (found && this.going === number) this.show(found);
+      if (found && round === this.round) this.show(found);
     } catch (error) {
-      this.refused.replaceChildren(...lines(this.doings.wrong(error)));
+      if (round === this.round) this.refused.replaceChildren(...lines(this.doings.wrong(error)));
     } finally {
-      this.wait(false);
+      if (round === this.round) this.wait(false);
     }
   }
 
@@ -189,14 +197,10 @@ export class DesignTab {
 
   private async stop(): Promise<void> {
     const { going } = this;
+    this.round += 1;
     this.going = "";
     this.wait(false);
-    if (!going) return;
-    try {
-      await fetch(`api/sweep/${going}`, { method: "DELETE" });
-    } catch {
-      // A service that does not answer computes nothing either; the next question says so.
-    }
+    if (going) await ended(going);
   }
 
   private wait(isWaiting: boolean): void {
@@ -236,6 +240,15 @@ export class DesignTab {
     }
     this.curves = curves;
     this.fit();
+  }
+}
+
+/** Have a sweep ended. */
+async function ended(number: string): Promise<void> {
+  try {
+    await fetch(`api/sweep/${number}`, { method: "DELETE" });
+  } catch {
+    // A service that does not answer computes nothing either; the next question says so.
   }
 }
 

@@ -139,6 +139,28 @@ def test_at_most_four_facts_are_wanted(page):
     assert page.locator(".facts input").nth(5).is_enabled()
 
 
+def test_a_sweep_is_stopped_before_it_has_its_number(page):
+    vary(page, 0, SPEED, "2000 rpm", "4000 rpm", "100")
+    ended = []
+    page.on("request", lambda one: ended.append(one.url) if one.method == "DELETE" else None)
+    page.evaluate(
+        """() => {
+          document.querySelector(".design button[type=submit]").click();
+          return new Promise((later) => setTimeout(() => {
+            document.querySelector(".design form button[type=button]").click();
+            later();
+          }, 0));
+        }"""
+    )
+    for _wait in range(100):
+        if ended:
+            break
+        page.wait_for_timeout(50)
+    assert len(ended) == 1
+    assert page.locator(".design button[type=submit]").is_enabled()
+    assert page.locator(".swept figure").count() == 0
+
+
 def test_a_long_sweep_is_stopped(page):
     vary(page, 0, SPEED, "2000 rpm", "4000 rpm", "100")
     vary(page, 1, "gas.start_pressure", "80 kPa", "120 kPa", "90")

@@ -95,7 +95,7 @@ def test_the_gallery_is_left_by_a_key(opened):
     page.locator("button", has_text="All machines").click()
     page.locator("dialog .card").first.wait_for()
     page.keyboard.press("Escape")
-    assert not page.locator("dialog").is_visible()
+    assert not page.locator("dialog.gallery").is_visible()
 
 
 def test_a_machine_file_is_opened_changed_and_saved_with_its_comments(opened):
@@ -133,6 +133,15 @@ def test_a_file_that_a_machine_names_is_taken_from_what_was_opened_and_never_fro
     said = page.locator(".problems").inner_text()
     assert "card.csv" in said
     assert "not to be read" not in page.locator("body").inner_text()
+
+
+def test_files_of_which_the_machine_knows_nothing_are_said(opened):
+    page = opened("#machine=textbook_78x78&phi=0")
+    opens(page, ("photo.png", "no picture"))
+    page.locator(".problems p", has_text="photo.png is named nowhere").wait_for()
+    opens(page, ("mine.toml", MACHINE), ("other.toml", MACHINE))
+    page.locator(".problems p", has_text="other.toml is a second machine file").wait_for()
+    assert page.locator("h1").inner_text() == "Textbook engine 78 × 78 (Kolchin and Demidov)"
 
 
 def test_a_broken_file_is_said_and_the_page_stays(opened):

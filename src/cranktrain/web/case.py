@@ -98,6 +98,8 @@ class CaseWords:
     open: Words
     export: Words
     more: Words
+    unnamed: Words
+    second: Words
     whence: Words
     stages: Words
     rests_on: Words
@@ -286,6 +288,8 @@ def _case_words() -> CaseWords:
         open=_("Open a file"),
         export=_("Take away"),
         more=_("Add to the file"),
+        unnamed=_("is named nowhere in the machine file"),
+        second=_("is a second machine file: open one at a time"),
         whence=_("Where it is from"),
         stages=_("Stages"),
         rests_on=_("What this rests on"),
