@@ -201,7 +201,7 @@ def test_no_message_is_said_when_a_module_is_loaded():
 
 def said_when_loaded(node):
     """Lines of messages that are said outside of functions: at the top, in classes, as defaults, by decorators."""
-    if isinstance(node, ast.FunctionDef | ast.Lambda):
+    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
         decorators = getattr(node, "decorator_list", [])
         within = [*decorators, *node.args.defaults, *filter(None, node.args.kw_defaults)]
     else:
