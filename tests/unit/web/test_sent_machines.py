@@ -160,10 +160,10 @@ def test_what_is_wrong_stands_with_its_line(client):
     [
         ({"machine": "3d12", "text": CYLINDER}, "machine"),
         ({"machine": "3d12", "files": {"a": "b"}}, "files"),
-        ({"text": "#" * 64_001}, "body.text"),
-        ({"text": CYLINDER, "files": {str(n): "" for n in range(21)}}, "body.files"),
-        ({"text": CYLINDER, "files": {"a": 3}}, "body.files.a"),
-        ({"text": CYLINDER, "files": {"a" * 501: ""}}, f"body.files.{'a' * 501}.[key]"),
+        ({"text": "#" * 64_001}, "text"),
+        ({"text": CYLINDER, "files": {str(n): "" for n in range(21)}}, "files"),
+        ({"text": CYLINDER, "files": {"a": 3}}, "files.a"),
+        ({"text": CYLINDER, "files": {"a" * 501: ""}}, f"files.{'a' * 501}.[key]"),
         ({"text": CYLINDER, "settings": ["gas.file=card.csv"]}, "gas.file"),
     ],
 )
