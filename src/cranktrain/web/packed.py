@@ -57,7 +57,7 @@ def packed(value: object) -> Packed:
 
 
 @cache
-def _names_in(kind: type) -> tuple[str, ...]:
+def _names_in(kind: Any) -> tuple[str, ...]:
     """Names of what a record or a named tuple of a class holds; none of what is neither, nor of words."""
     if issubclass(kind, Said):
         return ()
@@ -84,7 +84,7 @@ class _Packer:
                 return value
             case float():
                 return value if isfinite(value) else None
-            case _ if names := _names_in(type(value)):
+            case _ if names := _names_in(cast(object, type(value))):
                 return {"is": type(value).__name__, **{name: self.plain(getattr(value, name)) for name in names}}
             case tuple() | list():
                 return [self.plain(one) for one in cast("Sequence[Any]", value)]
