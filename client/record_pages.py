@@ -23,12 +23,12 @@ import cranktrain as ct
 DOCUMENTS = Path(__file__).parents[1] / "docs" / "static"
 
 WIDTH, HEIGHT = 1440, 900
-SMALL = 840
+SMALL = 800
 """Width of the recording. [px]"""
-COLOURS = 64
-ANGLES = range(0, 720, 30)
+COLOURS = 128
+ANGLES = range(0, 720, 40)
 """Of a cycle of the recording. [deg]"""
-PAUSE = 110
+PAUSE = 130
 """Between its pictures. [ms]"""
 
 
@@ -80,7 +80,7 @@ def picture_of(page) -> Image.Image:
 
 def taken(page, path: Path) -> None:
     """Keep what a page shows, in few colours."""
-    few = picture_of(page).quantize(160, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+    few = picture_of(page).quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
     few.save(path, optimize=True)
 
 

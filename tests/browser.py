@@ -62,3 +62,22 @@ def tab_to(page, query, key="Tab", most=120):
         if page.evaluate("(query) => document.activeElement.matches(query)", query):
             return
     pytest.fail(f"{query} is not reached")
+
+
+REFUSED = "the server responded with a status of 422"
+"""What a browser says of its own where a number is wrong."""
+
+
+@contextmanager
+def pages(chromium, address, waits_for=".tabs button", height=900):
+    """Open pages of a service, and look in the end that none did what it should not."""
+    context = chromium.new_context(viewport={"width": 1440, "height": height}, reduced_motion="reduce")
+    found = []
+
+    def open_page(place=""):
+        found.append(Watched(context, address + place, waits_for))
+        return found[-1].page
+
+    yield open_page
+    assert [fault for one in found for fault in one.faults if REFUSED not in fault] == []
+    context.close()

@@ -104,6 +104,8 @@ const BEHIND = 60;
 export class Address {
   private waiting: ReturnType<typeof setTimeout> | null = null;
   private hash: string;
+  /** What the browser had when it was written or read last. */
+  private known = location.hash;
 
   constructor(hash: string) {
     this.hash = hash;
@@ -120,6 +122,7 @@ export class Address {
   /** Stand where another address says. */
   go(hash: string): void {
     this.hash = hash;
+    this.known = location.hash;
   }
 
   speak(code: string): void {
@@ -146,7 +149,9 @@ export class Address {
     if (location.protocol === "about:") return;
     this.waiting ??= setTimeout(() => {
       this.waiting = null;
+      if (location.hash !== this.known) return; // somebody has gone elsewhere meanwhile, which is heard of soon
       history.replaceState(null, "", this.hash);
+      this.known = location.hash;
     }, BEHIND);
   }
 }

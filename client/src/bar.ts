@@ -2,7 +2,7 @@
 
 import type { Asked } from "./address.ts";
 import type { CaseWords, ExportForm } from "./data.ts";
-import { html } from "./elements.ts";
+import { html, offer, write } from "./elements.ts";
 
 /** What may be done from the bar. */
 export interface Doings {
@@ -24,13 +24,17 @@ export class Bar {
   readonly element: HTMLElement;
   private readonly machines = html("select", {});
   private readonly ownMachine = html("option", { value: SENT, hidden: "" });
-  private readonly machinesLabel = html("label", {});
+  private readonly machinesWord = html("span", {});
+  private readonly machinesLabel = html("label", {}, this.machinesWord, " ", this.machines);
   private readonly exports = html("select", { class: "exports" });
   private readonly beside = html("select", { class: "beside" });
-  private readonly besideLabel = html("label", {});
+  private readonly besideWord = html("span", {});
+  private readonly besideLabel = html("label", {}, this.besideWord, " ", this.beside);
   /** What a narrow window shows when it is asked for. */
   private readonly others = html("button", { type: "button", class: "others", "aria-expanded": "false" }, "⋯");
   private readonly buttons: Readonly<Record<"gallery" | "open" | "undo" | "redo" | "save" | "keep", HTMLButtonElement>>;
+  private forms: readonly ExportForm[] = [];
+  private exportWord = "";
   /** Cases to compare with, by what they are called. */
   private readonly cases = new Map<string, Asked>();
 
@@ -66,22 +70,22 @@ export class Bar {
   /** Say what is shown, and whether there is a step back and on. */
   take(asked: Asked, words: CaseWords, has: (by: number) => boolean): void {
     this.ownMachine.hidden = !asked.sent;
-    this.ownMachine.textContent = asked.sent?.name ?? "";
+    write(this.ownMachine, asked.sent?.name ?? "");
     this.machines.value = asked.sent ? SENT : asked.machine;
-    this.machinesLabel.replaceChildren(`${words.machine} `, this.machines);
-    for (const name of ["gallery", "open", "undo", "redo", "save", "keep"] as const) this.buttons[name].textContent = words[name];
+    write(this.machinesWord, words.machine);
+    for (const name of ["gallery", "open", "undo", "redo", "save", "keep"] as const) write(this.buttons[name], words[name]);
     this.others.setAttribute("aria-label", words.others);
     this.exports.setAttribute("aria-label", words.export);
-    if (this.exports.options.length === 0) this.exports.append(html("option", { value: "" }));
-    if (this.exports.options[0]) this.exports.options[0].textContent = words.export;
+    this.exportWord = words.export;
+    this.offer(this.forms);
     this.steps(has);
     this.fillCases(asked, words);
   }
 
   /** Offer files to take away. */
   offer(forms: readonly ExportForm[]): void {
-    const [title] = this.exports.options;
-    this.exports.replaceChildren(...(title ? [title] : []), ...forms.map(({ suffix, words }) => html("option", { value: suffix }, `${suffix} – ${words}`)));
+    this.forms = forms;
+    offer(this.exports, [["", this.exportWord], ...forms.map(({ suffix, words }) => [suffix, `${suffix} – ${words}`] as const)], "");
   }
 
   /** Say whether there is a step back and on. */
@@ -99,8 +103,7 @@ export class Bar {
     const before = [...this.cases.values()];
     this.cases.clear();
     for (const one of [...before, own, ...(asked.beside ? [asked.beside] : [])]) this.cases.set(name(one), one);
-    this.beside.replaceChildren(html("option", { value: "" }, "–"), ...[...this.cases.keys()].map((one) => html("option", { value: one }, one)));
-    this.beside.value = asked.beside ? name(asked.beside) : "";
-    this.besideLabel.replaceChildren(`${words.compare} `, this.beside);
+    offer(this.beside, [["", "–"], ...[...this.cases.keys()].map((one) => [one, one] as const)], asked.beside ? name(asked.beside) : "");
+    write(this.besideWord, words.compare);
   }
 }

@@ -1,7 +1,7 @@
 // Light or dark: as the system has it, or as somebody chose, which the browser remembers; on paper always light.
 
 import type { PageWords } from "./data.ts";
-import { html } from "./elements.ts";
+import { html, write } from "./elements.ts";
 import { onPaper } from "./paper.ts";
 
 const CHOICES = ["system", "light", "dark"] as const;
@@ -39,7 +39,7 @@ export class Colours {
     this.element.setAttribute("aria-label", words.colours);
     this.element.title = words.colours;
     const said = [words.colours_of_system, words.light, words.dark];
-    this.options.forEach((option, place) => { option.textContent = said[place] ?? ""; });
+    this.options.forEach((option, place) => { write(option, said[place] ?? ""); });
   }
 
   /** Tell whenever other colours, or paper, are to be drawn on. */

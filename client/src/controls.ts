@@ -2,7 +2,7 @@
 
 import type { CourseWords, PageWords } from "./data.ts";
 import { Passing } from "./course.ts";
-import { html } from "./elements.ts";
+import { html, write } from "./elements.ts";
 import { figure, number } from "./numbers.ts";
 import type { Turning } from "./turning.ts";
 
@@ -50,11 +50,11 @@ export class Controls {
     this.slider.setAttribute("aria-label", isPassing ? cursor.course.words.time : words.angle);
     const step = isPassing ? `${number(cursor.course.step)}` : "1°";
     for (const [button, sign, word] of [[this.steps[0], "−", this.words.back], [this.steps[1], "+", this.words.on]] as const) {
-      button.textContent = sign + step;
+      write(button, sign + step);
       button.title = word;
       button.setAttribute("aria-label", word);
     }
-    if (this.keys.textContent !== this.words.keys) this.keys.textContent = this.words.keys;
+    write(this.keys, this.words.keys);
     this.pace.hidden = !isPassing;
     if (isPassing) {
       this.pace.replaceChildren(...cursor.course.paces.map((one) => html("option", {}, one.words)));

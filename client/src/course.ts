@@ -2,24 +2,21 @@
 
 import type { PageCourse } from "./data.ts";
 import { at, interpolated, number } from "./numbers.ts";
-import { soon, type Frame } from "./turning.ts";
+import { Running, soon, type Frame } from "./turning.ts";
 
 /** A time between the beginning and the end of a course, which passes or stands. */
-export class Passing {
+export class Passing extends Running {
   readonly course: PageCourse;
   time = 0;
-  isPlaying = false;
   /** How much of it passes in a second of who looks. */
   rate: number;
   private readonly changed: () => void;
-  private readonly frame: Frame;
-  private last = NaN;
 
   constructor(course: PageCourse, changed: () => void, frame: Frame = soon) {
+    super(frame);
     this.course = course;
     this.rate = number(course.paces[course.at_first]?.rate);
     this.changed = changed;
-    this.frame = frame;
   }
 
   get place(): number {
@@ -70,33 +67,22 @@ export class Passing {
   }
 
   /** Let time pass, from the beginning where it has passed. */
-  play(): void {
-    if (this.isPlaying) return;
-    if (this.time >= this.end) this.time = 0;
-    this.isPlaying = true;
-    this.last = NaN;
-    this.frame((time) => { this.next(time); });
+  override play(): void {
+    if (!this.isPlaying && this.time >= this.end) this.time = 0;
+    super.play();
+  }
+
+  protected tell(): void {
     this.changed();
   }
 
-  stop(): void {
-    if (!this.isPlaying) return;
-    this.isPlaying = false;
+  protected rest(): void {
     this.changed();
   }
 
-  toggle(): void {
-    if (this.isPlaying) this.stop();
-    else this.play();
-  }
-
-  private next(time: number): void {
-    if (!this.isPlaying) return;
-    const passed = Number.isNaN(this.last) ? 0 : Math.min(time - this.last, 100);
-    this.last = time;
+  protected pass(passed: number): void {
     const later = this.time + (passed / 1000) * this.rate;
     if (later >= this.end) this.isPlaying = false;
-    else this.frame((next) => { this.next(next); });
     this.stand(later);
   }
 }

@@ -4,7 +4,7 @@ import type { Asked } from "./address.ts";
 import { ask, look, opened } from "./asking.ts";
 import type { DesignWords, OfferedFact, NumbersOfTable, PageCurves, PanelLine, SweptDesignsOfPage } from "./data.ts";
 import { ShownCurves } from "./curves.ts";
-import { html } from "./elements.ts";
+import { html, offer, write } from "./elements.ts";
 import { lines, type Problem } from "./form.ts";
 import { maps, nearestTo } from "./maps.ts";
 import { same, typed } from "./numbers.ts";
@@ -35,10 +35,18 @@ class Axis {
   private readonly end = html("input", { type: "text", class: "end" });
   private readonly count = html("input", { type: "number", min: 2, max: 200, class: "end" });
   private texts = new Map<string, string>();
+  private readonly words = Array.from({ length: 4 }, () => html("span", {}));
   private readonly usual: number;
 
   constructor(usual: number) {
     this.usual = usual;
+    const [path, start, end, count] = this.words as [HTMLElement, HTMLElement, HTMLElement, HTMLElement];
+    this.element.append(
+      html("label", {}, path, " ", this.path),
+      html("label", {}, start, " ", this.start),
+      html("label", {}, end, " ", this.end),
+      html("label", {}, this.count, " ", count),
+    );
     this.path.addEventListener("change", () => { this.propose(); });
   }
 
@@ -46,14 +54,10 @@ class Axis {
     const before = this.path.value;
     const inputs = tables.flatMap((table) => table.inputs.map((one) => ({ ...one, of: table.name })).filter((one) => typed(one.text)));
     this.texts = new Map(inputs.map((one) => [one.path, one.text]));
-    this.path.replaceChildren(...(isOptional ? [html("option", { value: "" }, words.nothing)] : []), ...inputs.map((one) => html("option", { value: one.path }, `${one.of} ${one.name}`.trim())));
-    if (this.texts.has(before)) this.path.value = before;
-    this.element.replaceChildren(
-      html("label", {}, label, " ", this.path),
-      html("label", {}, words.start, " ", this.start),
-      html("label", {}, words.end, " ", this.end),
-      html("label", {}, this.count, " ", words.count),
-    );
+    const paths = inputs.map((one) => [one.path, `${one.of} ${one.name}`.trim()] as const);
+    const offered = [...(isOptional ? [["", words.nothing] as const] : []), ...paths];
+    offer(this.path, offered, this.texts.has(before) ? before : (offered[0]?.[0] ?? ""));
+    [label, words.start, words.end, words.count].forEach((word, place) => { write(this.words[place] as HTMLElement, word); });
     if (this.path.value !== before || !this.start.value) this.propose();
   }
 
@@ -91,6 +95,7 @@ export class DesignTab {
   private readonly doings: DesignDoings;
   private readonly axes = [new Axis(ALONE), new Axis(BOTH)] as const;
   private readonly facts = html("div", { class: "facts", role: "group" });
+  private readonly wantedWord = html("span", {});
   private readonly compute = html("button", { type: "submit" });
   private readonly cancel = html("button", { type: "button", hidden: "" });
   private readonly progress = html("progress", { hidden: "" });
@@ -121,11 +126,12 @@ export class DesignTab {
     this.axes[0].take(words, words.varied, tables, false);
     this.axes[1].take(words, words.second, tables, true);
     this.facts.setAttribute("aria-label", words.wanted);
-    this.compute.textContent = words.compute;
-    this.cancel.textContent = words.cancel;
-    this.hint.textContent = words.hint;
+    write(this.wantedWord, words.wanted);
+    write(this.compute, words.compute);
+    write(this.cancel, words.cancel);
+    write(this.hint, words.hint);
     if (this.element.firstChild) return;
-    const form = html("form", {}, this.axes[0].element, this.axes[1].element, html("div", { class: "wanted" }, html("span", {}, words.wanted), this.facts), html("div", {}, this.compute, " ", this.cancel, " ", this.progress), this.refused);
+    const form = html("form", {}, this.axes[0].element, this.axes[1].element, html("div", { class: "wanted" }, this.wantedWord, this.facts), html("div", {}, this.compute, " ", this.cancel, " ", this.progress), this.refused);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       void this.sweep();

@@ -48,6 +48,21 @@ export function scrolling(element: HTMLElement, name: string): void {
   }).observe(element);
 }
 
+/** Write words where others stand. */
+export function write(into: HTMLElement, words: string): void {
+  if (into.textContent !== words) into.textContent = words;
+}
+
+/** Offer a choice, each value with its words, of which one is chosen; what is offered already stays. */
+export function offer(choice: HTMLSelectElement, options: readonly (readonly [value: string, words: string])[], chosen: string): void {
+  const isOffered = options.length === choice.options.length && options.every(([value, words], place) => {
+    const option = choice.options[place];
+    return option?.value === value && option.textContent === words;
+  });
+  if (!isOffered) choice.replaceChildren(...options.map(([value, words]) => html("option", { value }, words)));
+  if (choice.value !== chosen) choice.value = chosen;
+}
+
 function filled<Made extends Element>(element: Made, attributes: Attributes, children: readonly Child[]): Made {
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   element.append(...children);

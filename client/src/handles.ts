@@ -1,7 +1,7 @@
 // Pins of the drawing that are moved by hand: a machine with other numbers follows, and the old one stays as a ghost.
 
 import type { DrawnHandle, PageHandles } from "./data.ts";
-import { html } from "./elements.ts";
+import { html, write } from "./elements.ts";
 import type { Mechanism, View } from "./mechanism.ts";
 import { between, number, row } from "./numbers.ts";
 import type { Point } from "./points.ts";
@@ -69,7 +69,8 @@ export function changes(slopes: readonly Point[], by: Point): number[] {
 }
 
 export class Handles {
-  readonly button = html("button", { type: "button", class: "choice", title: "E", "aria-pressed": "false" });
+  private readonly word = html("span", {});
+  readonly button = html("button", { type: "button", class: "choice", title: "E", "aria-pressed": "false" }, this.word);
   private readonly around: Around;
   private readonly label = html("div", { class: "moved", role: "status" });
   private editing: Editing | undefined;
@@ -107,7 +108,7 @@ export class Handles {
   private async find(editing: Editing | undefined): Promise<void> {
     this.editing = editing;
     this.button.hidden = !editing;
-    this.button.replaceChildren(html("span", {}, editing?.word ?? ""));
+    write(this.word, editing?.word ?? "");
     if (!editing || !this.isOn) {
       this.show([]);
       return;

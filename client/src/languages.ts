@@ -1,7 +1,7 @@
 // The choice of a language, where there are several.
 
 import type { PageCase } from "./data.ts";
-import { html } from "./elements.ts";
+import { html, offer } from "./elements.ts";
 
 export class Languages {
   readonly element = html("select", { class: "language" });
@@ -12,8 +12,8 @@ export class Languages {
 
   /** Offer the languages that there are, and say in which the page is; whether it was in another before. */
   take({ language, languages, words }: PageCase): boolean {
-    this.element.replaceChildren(...languages.map((one) => html("option", { value: one.code, lang: one.code }, one.name)));
-    this.element.value = language;
+    offer(this.element, languages.map((one) => [one.code, one.name]), language);
+    for (const one of this.element.options) one.lang = one.value;
     this.element.title = words.language;
     this.element.setAttribute("aria-label", words.language);
     this.element.hidden = languages.length < 2;

@@ -5,7 +5,7 @@ import type { Colours } from "./colours.ts";
 import { Controls, type Cursor } from "./controls.ts";
 import { Passing } from "./course.ts";
 import type { PageCourse, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
-import { html } from "./elements.ts";
+import { html, offer, write } from "./elements.ts";
 import { Handles, type Editing } from "./handles.ts";
 import { dragged, pressed } from "./hands.ts";
 import { Mechanism } from "./mechanism.ts";
@@ -65,7 +65,8 @@ export class MachinePage {
   private readonly sheets: Sheets;
   private readonly vectors = new VectorChoice((shown) => { this.mechanism.showVectors(this.passing ? [] : shown); }, (tab) => { this.load(tab); });
   private readonly panel: HTMLElement;
-  private readonly ghosts = html("button", { type: "button", class: "choice", title: "G", "aria-pressed": "false" });
+  private readonly ghostsWord = html("span", {});
+  private readonly ghosts = html("button", { type: "button", class: "choice", title: "G", "aria-pressed": "false" }, this.ghostsWord);
   private readonly handles: Handles;
   private mechanism: Mechanism;
   /** Time that the open tab is over, if it is. */
@@ -165,7 +166,7 @@ export class MachinePage {
     this.turning.cycle = number(page.cycle);
     this.controls.take(this.cursor, words);
     write(this.differ, words.differences);
-    this.ghosts.replaceChildren(html("span", {}, words.ghosts));
+    write(this.ghostsWord, words.ghosts);
     this.haunt();
     this.fillPistons(page);
     this.vectors.element.setAttribute("aria-label", words.vectors);
@@ -186,9 +187,9 @@ export class MachinePage {
   private fillPistons({ pistons, drawing, words }: ShownMachine): void {
     this.pistons.hidden = !this.source || pistons.length === 0;
     this.pistons.setAttribute("aria-label", words.piston);
-    this.pistons.replaceChildren(...pistons.map((name) => html("option", { value: name }, `${words.piston} ${name}`)));
     const { piston } = this.address;
-    this.pistons.value = pistons.includes(piston) ? piston : (pistons.find((name) => drawing.mechanisms.some((one) => one.name === name)) ?? "");
+    const shown = pistons.includes(piston) ? piston : (pistons.find((name) => drawing.mechanisms.some((one) => one.name === name)) ?? "");
+    offer(this.pistons, pistons.map((name) => [name, `${words.piston} ${name}`]), shown);
   }
 
   /** Show a tab, as soon as it is there. */
@@ -354,11 +355,6 @@ export class MachinePage {
 function inView(line: HTMLElement, one: HTMLElement): void {
   const [room, box] = [line.getBoundingClientRect(), one.getBoundingClientRect()];
   line.scrollLeft += Math.max(box.right - room.right, 0) - Math.max(room.left - box.left, 0);
-}
-
-/** Write words where others stand. */
-function write(into: HTMLElement, words: string): void {
-  if (into.textContent !== words) into.textContent = words;
 }
 
 /** What is to be minded: of a long list its head, and all of it where somebody asks. */

@@ -8,20 +8,71 @@ export type Frame = (next: (time: number) => void) => void;
 
 export const soon: Frame = (next) => { requestAnimationFrame(next); };
 
-/** A crank angle within a cycle, which turns or stands. */
-export class Turning {
-  angle = 0;
+/** So much passes at most between two pictures: a page that was hidden does not leap. [ms] */
+const MOST = 100;
+
+/** What goes on by itself from picture to picture, or stands. */
+export abstract class Running {
   isPlaying = false;
+  private readonly frame: Frame;
+  private last = NaN;
+
+  constructor(frame: Frame) {
+    this.frame = frame;
+  }
+
+  play(): void {
+    if (this.isPlaying) return;
+    this.isPlaying = true;
+    this.last = NaN;
+    this.ask();
+    this.tell();
+  }
+
+  stop(): void {
+    if (!this.isPlaying) return;
+    this.isPlaying = false;
+    this.rest();
+  }
+
+  toggle(): void {
+    if (this.isPlaying) this.stop();
+    else this.play();
+  }
+
+  /** Say where it is now. */
+  protected abstract tell(): void;
+
+  /** Stand, where it has just stopped. */
+  protected abstract rest(): void;
+
+  /** Go on. [ms] */
+  protected abstract pass(passed: number): void;
+
+  private ask(): void {
+    this.frame((time) => { this.next(time); });
+  }
+
+  private next(time: number): void {
+    if (!this.isPlaying) return;
+    const passed = Number.isNaN(this.last) ? 0 : Math.min(time - this.last, MOST);
+    this.last = time;
+    this.pass(passed);
+    if (this.isPlaying) this.ask();
+  }
+}
+
+/** A crank angle within a cycle, which turns or stands. */
+export class Turning extends Running {
+  angle = 0;
   /** After which all begins again. [deg] */
   cycle: number;
   private readonly changed: (angle: number, isPlaying: boolean) => void;
-  private readonly frame: Frame;
-  private last = 0;
 
   constructor(cycle: number, changed: (angle: number, isPlaying: boolean) => void, frame: Frame = soon) {
+    super(frame);
     this.cycle = cycle;
     this.changed = changed;
-    this.frame = frame;
   }
 
   get place(): number {
@@ -35,7 +86,7 @@ export class Turning {
   /** Stand at an angle. [deg] */
   stand(angle: number): void {
     this.angle = angle === this.cycle ? angle : ((angle % this.cycle) + this.cycle) % this.cycle;
-    this.changed(this.angle, this.isPlaying);
+    this.tell();
   }
 
   /** Go on by an angle, over the end of the cycle. [deg] */
@@ -54,31 +105,16 @@ export class Turning {
     this.stand(this.angle + by);
   }
 
-  play(): void {
-    if (this.isPlaying) return;
-    this.isPlaying = true;
-    this.last = NaN;
-    this.frame((time) => { this.next(time); });
-    this.changed(this.angle, true);
+  protected tell(): void {
+    this.changed(this.angle, this.isPlaying);
   }
 
-  /** Stand, at a whole degree. */
-  stop(): void {
-    if (!this.isPlaying) return;
-    this.isPlaying = false;
+  /** Stand at a whole degree. */
+  protected rest(): void {
     this.stand(Math.round(this.angle));
   }
 
-  toggle(): void {
-    if (this.isPlaying) this.stop();
-    else this.play();
-  }
-
-  private next(time: number): void {
-    if (!this.isPlaying) return;
-    const passed = Number.isNaN(this.last) ? 0 : Math.min(time - this.last, 100);
-    this.last = time;
+  protected pass(passed: number): void {
     this.stand(this.angle + (0.36 * passed) / TURN);
-    this.frame((later) => { this.next(later); });
   }
 }

@@ -1,7 +1,7 @@
 """The tab where numbers are varied: curves over one, maps over two, as `cranktrain sweep` has them; clicks load."""
 
 import pytest
-from tests.browser import Watched
+from tests.browser import pages
 from tests.serving import served
 
 import cranktrain as ct
@@ -17,12 +17,8 @@ def address(tmp_path_factory):
 
 @pytest.fixture
 def page(chromium, address):
-    context = chromium.new_context(viewport={"width": 1440, "height": 1100}, reduced_motion="reduce")
-    watched = Watched(context, f"{address}#phi=0&tab=Design")
-    watched.page.locator(".facts label").first.wait_for()
-    yield watched.page
-    assert [fault for fault in watched.faults if "status of 422" not in fault] == []
-    context.close()
+    with pages(chromium, address, ".facts label", height=1100) as open_page:
+        yield open_page("#phi=0&tab=Design")
 
 
 def vary(page, place, path, start, end, count):

@@ -6,7 +6,7 @@ import re
 import tomllib
 
 import pytest
-from tests.browser import Watched
+from tests.browser import pages
 from tests.serving import served
 
 import cranktrain as ct
@@ -43,17 +43,8 @@ def address(tmp_path_factory):
 
 @pytest.fixture
 def opened(chromium, address):
-    context = chromium.new_context(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
-    found = []
-
-    def open_page(place=""):
-        found.append(Watched(context, address + place))
-        found[-1].page.wait_for_selector(".answers tr")
-        return found[-1].page
-
-    yield open_page
-    assert [fault for one in found for fault in one.faults if "status of 422" not in fault] == []
-    context.close()
+    with pages(chromium, address, ".answers tr") as open_page:
+        yield open_page
 
 
 def opens(page, *files):

@@ -4,14 +4,11 @@ import re
 import tomllib
 
 import pytest
-from tests.browser import Watched, faults, tab_to
+from tests.browser import Watched, faults, pages, tab_to
 from tests.sentences import NOT_POSITIVE
 from tests.serving import address_of, served, started
 
 import cranktrain as ct
-
-REFUSED = "the server responded with a status of 422"
-"""What a browser says of its own where a number is wrong."""
 
 
 @pytest.fixture(scope="module")
@@ -22,16 +19,8 @@ def address(tmp_path_factory):
 
 @pytest.fixture
 def opened(chromium, address):
-    context = chromium.new_context(viewport={"width": 1440, "height": 900}, reduced_motion="reduce")
-    found = []
-
-    def open_page(place=""):
-        found.append(Watched(context, address + place))
-        return found[-1].page
-
-    yield open_page
-    assert [fault for one in found for fault in one.faults if REFUSED not in fault] == []
-    context.close()
+    with pages(chromium, address) as open_page:
+        yield open_page
 
 
 def row(page, name):
@@ -365,6 +354,28 @@ def test_a_link_pasted_where_the_page_is_open_is_followed_and_the_browser_goes_b
     page.go_back()
     page.locator("h1", has_text="3D12").wait_for()
     assert page.locator("output.angle").inner_text() == "φ = 0°"
+
+
+def test_an_address_that_is_written_late_does_not_undo_where_somebody_goes_meanwhile(opened):
+    page = opened("#machine=textbook_78x78&phi=0")
+    settled(page, "stroke", "78.00")
+    page.wait_for_timeout(200)
+    shown = page.evaluate(
+        """() => {
+          const late = [];
+          const soon = window.setTimeout;
+          window.setTimeout = (call) => late.push(call);
+          const slider = document.querySelector(".turning-controls input[type=range]");
+          slider.value = 40;
+          slider.dispatchEvent(new Event("input"));
+          window.setTimeout = soon;
+          location.hash = "#machine=shaper&phi=30";
+          for (const call of late) call();
+          return [late.length, location.hash];
+        }"""
+    )
+    assert shown == [1, "#machine=shaper&phi=30"]
+    page.locator("h1", has_text="haper").wait_for()
 
 
 def test_at_a_narrow_width_the_open_tab_of_a_link_and_the_crank_angle_are_in_view(opened):

@@ -15,6 +15,7 @@ from cranktrain.paths import parts_of
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.asked import MOST_KEPT, Case
+from cranktrain.web.case_words import CaseWords, case_words
 from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
 from cranktrain.web.packed import Packed, packed
@@ -57,58 +58,11 @@ class NumbersOfTable:
 
 
 @record
-class DesignWords:
-    """Words of a page's tab on which numbers are varied."""
-
-    title: Words
-    varied: Words
-    second: Words
-    nothing: Words
-    start: Words
-    end: Words
-    count: Words
-    wanted: Words
-    compute: Words
-    cancel: Words
-    hint: Words
-    numbers: Words
-
-
-@record
 class PageLanguage:
     """A language that a page may be in: its code, and what it calls itself."""
 
     code: str
     name: str
-
-
-@record
-class CaseWords:
-    """Words of a page on which numbers may be changed."""
-
-    machine: Words
-    numbers: Words
-    undo: Words
-    redo: Words
-    save: Words
-    as_in_file: Words
-    compare: Words
-    keep: Words
-    gallery: Words
-    open: Words
-    export: Words
-    more: Words
-    unnamed: Words
-    second: Words
-    whence: Words
-    stages: Words
-    rests_on: Words
-    close: Words
-    design: DesignWords
-    move: Words
-    others: Words
-    language: Words
-    no_answer: Words
 
 
 @record
@@ -173,7 +127,7 @@ def packed_page(case: Case, tab: str, beside: Case | None = None, piston: str = 
     file, result = _computed(case)
     with result.in_its_units():
         page = machine_page(result, tab, _result_of(beside), piston)
-        return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), _case_words()))
+        return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), case_words()))
 
 
 def packed_tab(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
@@ -216,10 +170,11 @@ def file_text(case: Case, key: str = "") -> str:
     file = machine_file_of(case)
     if not key:
         return file.document.text
-    known = [table.key for table in offered_tables(file)]
-    if key not in known:
-        raise InputError([Problem("key", key, _("must be one of: {names}", names=", ".join(known)))])
-    return with_table(file, key)
+    try:
+        return with_table(file, key)
+    except KeyError:
+        names = ", ".join(table.key for table in offered_tables(file))
+        raise InputError([Problem("key", key, _("must be one of: {names}", names=names))]) from None
 
 
 def packed_whence(case: Case, quantity: str) -> Packed:
@@ -271,48 +226,6 @@ def _languages() -> Iterator[PageLanguage]:
         with in_language(code):
             name = str(_("English"))
         yield PageLanguage(code, name)
-
-
-def _case_words() -> CaseWords:
-    """Give them."""
-    return CaseWords(
-        machine=_("Machine"),
-        numbers=_("Numbers of the file"),
-        undo=_("Undo"),
-        redo=_("Redo"),
-        save=_("Save the machine file"),
-        as_in_file=_("As in the file"),
-        compare=_("Compare with"),
-        keep=_("Compare with this"),
-        gallery=_("All machines"),
-        open=_("Open a file"),
-        export=_("Take away"),
-        more=_("Add to the file"),
-        unnamed=_("is named nowhere in the machine file"),
-        second=_("is a second machine file: open one at a time"),
-        whence=_("Where it is from"),
-        stages=_("Stages"),
-        rests_on=_("What this rests on"),
-        close=_("Close"),
-        design=DesignWords(
-            title=_("Design"),
-            varied=_("Vary"),
-            second=_("and"),
-            nothing=_("nothing"),
-            start=_("from"),
-            end=_("to"),
-            count=_("values"),
-            wanted=_("Wanted"),
-            compute=_("Compute"),
-            cancel=_("Stop"),
-            hint=_("Click a point to load its design; the present one is marked."),
-            numbers=_("Numbers"),
-        ),
-        move=_("Move pins"),
-        others=_("More"),
-        language=_("Language"),
-        no_answer=_("the service does not answer"),
-    )
 
 
 def _tables(file: MachineFile) -> tuple[NumbersOfTable, ...]:

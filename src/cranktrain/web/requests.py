@@ -1,7 +1,7 @@
 """What other programs send to a service, with its limits."""
 
 from collections.abc import Collection, Iterator
-from typing import Annotated
+from typing import Annotated, TypedDict
 
 from pydantic import BaseModel, Field
 
@@ -52,6 +52,14 @@ class MachineAsked(BaseModel):
     ] = []
 
 
+class ChoiceAsked(TypedDict, total=False):
+    """What is chosen of a machine, as `PageQuestion` has it."""
+
+    tab: str
+    piston: str
+    key: str
+
+
 class CaseAsked(MachineAsked):
     """A machine, and in which language is said what there is to be said of it."""
 
@@ -59,11 +67,21 @@ class CaseAsked(MachineAsked):
         str, Field(max_length=_LONGEST, description="One that there is; that of the service unless given.")
     ] = ""
 
+    @property
+    def choice(self) -> ChoiceAsked:
+        """What of the machine is asked for."""
+        return {}
+
 
 class ThrowAsked(CaseAsked):
     """A machine, and which of its throws is shown."""
 
     piston: Annotated[_Name, Field(description="Whose throw and curves; the first's where there is none of it.")] = ""
+
+    @property
+    def choice(self) -> ChoiceAsked:
+        """What of the machine is asked for."""
+        return {"piston": self.piston}
 
 
 class PageAsked(ThrowAsked):
@@ -71,6 +89,11 @@ class PageAsked(ThrowAsked):
 
     tab: Annotated[_Name, Field(description="By its name; the first where there is none of it.")] = ""
     beside: Annotated[MachineAsked | None, Field(description="A saved case that stands beside it.")] = None
+
+    @property
+    def choice(self) -> ChoiceAsked:
+        """What of the machine is asked for."""
+        return {"piston": self.piston, "tab": self.tab}
 
 
 class FileAsked(CaseAsked):
@@ -80,6 +103,11 @@ class FileAsked(CaseAsked):
         _Name, Field(description="Of one of the tables that are offered to the machine; none unless given.")
     ] = ""
 
+    @property
+    def choice(self) -> ChoiceAsked:
+        """What of the machine is asked for."""
+        return {"key": self.key}
+
 
 class ExportAsked(CaseAsked):
     """A machine, and what is to be taken away of it."""
@@ -87,11 +115,21 @@ class ExportAsked(CaseAsked):
     tab: Annotated[_Name, Field(description="Of which a sheet is drawn; the machine's where it has none.")] = ""
     suffix: Annotated[_Name, Field(description="How the file's name ends.", examples=[".xlsx"])]
 
+    @property
+    def choice(self) -> ChoiceAsked:
+        """What of the machine is asked for."""
+        return {"tab": self.tab, "key": self.suffix}
+
 
 class WhenceAsked(CaseAsked):
     """A machine, and a number of it."""
 
     quantity: Annotated[_Name, Field(description="Its name in results.", examples=["largest_side_force"])]
+
+    @property
+    def choice(self) -> ChoiceAsked:
+        """What of the machine is asked for."""
+        return {"key": self.quantity}
 
 
 class SweepAsked(CaseAsked):
@@ -153,18 +191,9 @@ def question_of(asked: CaseAsked, part: Part, known: Collection[str], served: st
         Where no machine or language is meant that there is, or a setting would have a file read.
     """
     case, language = _case_of(asked, known, served), _language_of(asked)
-    if isinstance(asked, FileAsked):
-        return PageQuestion(case, part, key=asked.key, language=language)
-    if isinstance(asked, ThrowAsked) and not isinstance(asked, PageAsked):
-        return PageQuestion(case, part, piston=asked.piston, language=language)
-    if isinstance(asked, WhenceAsked):
-        return PageQuestion(case, part, key=asked.quantity, language=language)
-    if isinstance(asked, ExportAsked):
-        return PageQuestion(case, part, asked.tab, key=asked.suffix, language=language)
-    if not isinstance(asked, PageAsked):
-        return PageQuestion(case, part, language=language)
-    beside = asked.beside and _case_of(asked.beside, known, served)
-    return PageQuestion(case, part, asked.tab, beside, piston=asked.piston, language=language)
+    saved = asked.beside if isinstance(asked, PageAsked) else None
+    beside = None if saved is None else _case_of(saved, known, served)
+    return PageQuestion(case, part, beside=beside, language=language, **asked.choice)
 
 
 def sweep_of(asked: SweepAsked, known: Collection[str], served: str | None) -> SweepQuestion:

@@ -156,9 +156,9 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
     @app.get("/api/gallery", **_NUMBERS)
     async def _gallery(request: Request, language: str = "") -> Response:
         """Give machines to begin with, each with a small drawing."""
-        known_language = language if language in languages() else None
-        question = PageQuestion(None, "gallery", language=known_language)
-        return response_of(await _while_waited_for(request, crew.reply(question)))
+        with _in_language_of(language):
+            question = PageQuestion(None, "gallery", language=spoken_language())
+            return response_of(await _while_waited_for(request, crew.reply(question)))
 
     _add_sweeps(app, sweeps, lambda asked: sweep_of(asked, known, file))
     return app

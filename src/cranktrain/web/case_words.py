@@ -1,0 +1,93 @@
+"""Words of a page on which numbers may be changed: of what is on it whatever the machine."""
+
+from cranktrain.language import Words, _
+from cranktrain.record import record
+
+
+@record
+class DesignWords:
+    """Words of a page's tab on which numbers are varied."""
+
+    title: Words
+    varied: Words
+    second: Words
+    nothing: Words
+    start: Words
+    end: Words
+    count: Words
+    wanted: Words
+    compute: Words
+    cancel: Words
+    hint: Words
+    numbers: Words
+
+
+@record
+class CaseWords:
+    """Words of a page on which numbers may be changed."""
+
+    machine: Words
+    numbers: Words
+    undo: Words
+    redo: Words
+    save: Words
+    as_in_file: Words
+    compare: Words
+    keep: Words
+    gallery: Words
+    open: Words
+    export: Words
+    more: Words
+    unnamed: Words
+    second: Words
+    whence: Words
+    stages: Words
+    rests_on: Words
+    close: Words
+    design: DesignWords
+    move: Words
+    others: Words
+    language: Words
+    no_answer: Words
+
+
+def case_words() -> CaseWords:
+    """Give them."""
+    return CaseWords(
+        machine=_("Machine"),
+        numbers=_("Numbers of the file"),
+        undo=_("Undo"),
+        redo=_("Redo"),
+        save=_("Save the machine file"),
+        as_in_file=_("As in the file"),
+        compare=_("Compare with"),
+        keep=_("Compare with this"),
+        gallery=_("All machines"),
+        open=_("Open a file"),
+        export=_("Take away"),
+        more=_("Add to the file"),
+        unnamed=_("is named nowhere in the machine file"),
+        second=_("is a second machine file: open one at a time"),
+        whence=_("Where it is from"),
+        stages=_("Stages"),
+        rests_on=_("What this rests on"),
+        close=_("Close"),
+        design=DesignWords(
+            title=_("Design"),
+            varied=_("Vary"),
+            second=_("and"),
+            nothing=_("nothing"),
+            start=_("from"),
+            end=_("to"),
+            count=_("values"),
+            wanted=_("Wanted"),
+            compute=_("Compute"),
+            cancel=_("Stop"),
+            hint=_("Click a point to load its design; the present one is marked."),
+            numbers=_("Numbers"),
+        ),
+        move=_("Move pins"),
+        others=_("More"),
+        language=_("Language"),
+        no_answer=_("the service does not answer"),
+    )
