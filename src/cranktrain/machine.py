@@ -39,8 +39,6 @@ from cranktrain.questions.gas.spec import GasTables
 from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.typed_file import TypedFile
 
-_FOUND = ("arranged", "asks", "closing_problems", "design", "kinds", "questions", "table_problems")
-"""What is found once of what a machine declares."""
 ARRANGING = ("angle", "bank", "mechanism", "running", "shaft")
 _RESTS_ON = {"arranged": ARRANGING, "kinds": ARRANGING, "closing_problems": (*ARRANGING, "crank_zero", "units")}
 """What of it is found from some tables alone."""
@@ -254,12 +252,12 @@ class Machine(Spec, frozen=True):
         yield from judged(shaft_problems(self.shaft, self.banks))
         yield from unit_problems(self.units)
 
-    @property
+    @cached_property
     def shafts(self) -> Mapping[str, ShaftSpec]:
         """The shafts by name; `main` is there whether the file has a table for it or not."""
         return {MAIN: ShaftSpec(), **self.shaft}
 
-    @property
+    @cached_property
     def banks(self) -> Mapping[str, BankSpec]:
         """The banks by name; a bare `[mechanism]` is a bank of one, without a name."""
         alone: dict[str, Any] = {"angle": (self.angle,), "mechanism": (self.mechanism,), "throws": (1,)}
@@ -308,7 +306,7 @@ class Machine(Spec, frozen=True):
             homes |= {f"bank.{name}.{end}.": piston for end, piston in bank.opposed.items()}
         return homes
 
-    @property
+    @cached_property
     def orientation(self) -> Orientation:
         """How it stands and runs."""
         return Orientation(first_axis(self.banks), self.rotation == "clockwise", self.is_astern)
@@ -317,8 +315,6 @@ class Machine(Spec, frozen=True):
     def places(self) -> tuple[PlacedMechanism, ...]:
         """Every mechanism of the machine, arranged on shaft and banks; none where they cannot be arranged."""
         return self.arranged[0]
-
-    # A machine does not change: how it is arranged and what is wrong with it is found once, however often it runs.
 
     @cached_property
     def arranged(self) -> tuple[tuple[PlacedMechanism, ...], tuple[Problem, ...]]:
@@ -392,6 +388,10 @@ class Machine(Spec, frozen=True):
         state = super().__getstate__()
         declared = {name: held for name, held in state["__dict__"].items() if name not in _FOUND}
         return {**state, "__dict__": declared}
+
+
+_FOUND = {name for name, held in vars(Machine).items() if isinstance(held, cached_property)} - {"declared", "typed_in"}
+"""What is found of what a machine declares: once, however often it runs, as that does not change."""
 
 
 def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Problem, ...]:

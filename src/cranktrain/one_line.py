@@ -19,6 +19,8 @@ def one_line(text: str) -> str:
 
 def visible(text: str, kept: str = "") -> str:
     """Write controls and halves of characters by their numbers, but those that are kept; blanks stay."""
+    if text.isprintable():  # as nearly every text is
+        return text
     return "".join(
         character
         if character.isprintable() or character in kept or category(character) == "Zs"

@@ -1,9 +1,11 @@
 """Lines of an answer by the titles of the questions, each computed when somebody asks for it."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, Protocol
 
 from cranktrain.analysis.outcomes import Outcomes
+from cranktrain.analysis.stages import KEPT
 from cranktrain.grouping import grouped
 from cranktrain.language import Words
 from cranktrain.layout.question import needs_of
@@ -90,8 +92,13 @@ def _functions(result: Answering) -> dict[str, list[_RowsOf]]:
 
 def _is_there(result: Answering, kind: type) -> bool:
     """Whether a result has what a stage gives by its type, or can compute it."""
-    kinds = result.computed.kinds
-    return kind in kinds or any(issubclass(one, kind) for one in kinds)
+    return kind in _with_bases(tuple(result.computed.kinds))
+
+
+@lru_cache(maxsize=KEPT)
+def _with_bases(kinds: tuple[type, ...]) -> frozenset[type]:
+    """Give classes with all of which they are."""
+    return frozenset(base for kind in kinds for base in kind.__mro__)
 
 
 def _rows(result: Answering, functions: Iterable[_RowsOf], design: int) -> list[AnswerLine]:

@@ -11,7 +11,7 @@ from cranktrain.analysis.answer import answer_groups, answer_kinds
 from cranktrain.analysis.dimensions import Titled
 from cranktrain.analysis.outcomes import Outcomes
 from cranktrain.analysis.stages import Missing, every_stage
-from cranktrain.analysis.unused import Unused, sentences
+from cranktrain.analysis.unused import Unused, sentences, unused
 from cranktrain.brief import brief
 from cranktrain.faces import face
 from cranktrain.language import Listed, Message, Words, _
@@ -74,8 +74,8 @@ class Result(Run):
     computed : Outcomes
         What each stage gives, found when it is first asked for.
     missing : tuple of Missing
-    unused : tuple of Unused
-        Tables that the file has and no result could rest on, with what is missing for them.
+    lacking : mapping of str to tuple of Words
+        Names of results that cannot be had of this file, and what is missing for them.
     asked : tuple of str, or None
         The quantities that were asked for, which the dataset has; None for all.
     """
@@ -85,8 +85,13 @@ class Result(Run):
     grid: CrankAngle
     computed: Outcomes
     missing: tuple[Missing, ...]
-    unused: tuple[Unused, ...] = ()
+    lacking: Mapping[str, tuple[Words, ...]]
     asked: tuple[str, ...] | None = None
+
+    @cached_property
+    def unused(self) -> tuple[Unused, ...]:
+        """Tables that the file has and no result could rest on, with what is missing for them."""
+        return unused(self.machines[0], self.lacking)
 
     @property
     def outcomes(self) -> tuple[Any, ...]:

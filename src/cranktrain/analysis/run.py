@@ -25,7 +25,6 @@ from cranktrain.analysis.stages import (
     stages_of,
     steps_of,
 )
-from cranktrain.analysis.unused import unused
 from cranktrain.errors import InputError, Problem
 from cranktrain.how_far import within
 from cranktrain.language import Words, _
@@ -188,7 +187,7 @@ def _run(
         grid=grid,
         computed=outcomes,
         missing=missing_results(steps.told, absent),
-        unused=unused(machines[0], absent),
+        lacking=absent,
     )
 
 

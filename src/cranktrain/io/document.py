@@ -13,7 +13,7 @@ from cranktrain.io.files import content_of, refusal
 from cranktrain.io.syntax import parsed, text_position
 from cranktrain.language import said as _
 from cranktrain.one_line import short
-from cranktrain.paths import parts_of
+from cranktrain.paths import parts_of, quantity_path, replaced
 
 if TYPE_CHECKING:
     from cranktrain.io.text_spans import TextSpans
@@ -181,12 +181,18 @@ class Document:
         InputError
             If the path cannot be read, names a table, or leads through what is no table or list.
         """
-        from cranktrain.io.editing import with_value
+        from cranktrain.io.editing import toml_value, with_value
 
-        _tables = self._parsed  # what is wrong already is said first
+        tables = self._parsed  # what is wrong already is said first
         for text in (path, given):
             Document.from_text(text, f"{path}={given}".encode(errors="backslashreplace").decode())
-        return Document(with_value(self._source, path, given).decode(), self.name)
+        changed = Document(with_value(self._source, path, given, self._places).decode(), self.name)
+        parts = quantity_path(path)
+        if not any(isinstance(part, int) for part in parts) and parts in self._places.by_path:
+            value = parsed(f"value = {toml_value(given)}", self.name)["value"]
+            if isinstance(value, str | int | float):  # the whole text need not be read again for it
+                vars(changed)["_parsed"] = replaced(tables, parts, value)
+        return changed
 
 
 def _text(content: bytes, name: str) -> str:

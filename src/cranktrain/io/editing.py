@@ -50,7 +50,7 @@ def _is_value(text: str) -> bool:
     return of_kind and list(alone) == ["value"] and list(inside) == ["table"] and list(inside["table"]) == ["value"]
 
 
-def with_value(source: bytes, path: str, given: str) -> bytes:
+def with_value(source: bytes, path: str, given: str, found: TextSpans | None = None) -> bytes:
     """Give the text with another value at a path, and all else as it was.
 
     Parameters
@@ -59,6 +59,8 @@ def with_value(source: bytes, path: str, given: str) -> bytes:
         A TOML text that can be read.
     path, given : str
         As `quantity_path` and `toml_value` read them.
+    found : TextSpans, optional
+        The `places` of the text, where somebody has them.
 
     Returns
     -------
@@ -73,7 +75,7 @@ def with_value(source: bytes, path: str, given: str) -> bytes:
     """
     parts = quantity_path(path)
     value = toml_value(given).encode()
-    found = places(source)
+    found = places(source) if found is None else found
     place = found.deepest(parts)
     rest = parts[len(place.path) :]
     if not rest and place.is_value:

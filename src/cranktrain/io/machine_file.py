@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
-from cranktrain.io.curve_files import CurveReader, among, beside, with_curves
+from cranktrain.io.curve_files import CurveReader, beside, with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near, plain_name
 from cranktrain.language import said as _
@@ -98,42 +98,15 @@ def read_machine(
     InputError
         With everything that is wrong; a value from `settings` stands at `--set`, all else at its line of the file.
     """
-    folder = _folder_of(source)
-    return _with_set(document_of(source), settings, beside(folder), folder, partial=partial)
+    folder = folder_of(source)
+    return with_set(document_of(source), settings, beside(folder), folder, partial=partial)
 
 
-def read_text(
-    text: str, files: Mapping[str, str], settings: Sequence[str] = (), *, partial: bool = False
-) -> MachineFile:
-    """Read a machine from the text of its file; nothing is read from the disk.
-
-    Parameters
-    ----------
-    text : str
-        Of a machine file.
-    files : mapping of str
-        Texts of the files that it names, by the names that it has for them.
-    settings, partial
-        As `read_machine` takes them.
-
-    Returns
-    -------
-    MachineFile
-
-    Raises
-    ------
-    InputError
-        As of `read_machine`.
-    """
-    typed = Document.from_text(text, _TEXT)
-    return _with_set(typed, settings, among(files), Path(), partial=partial)
-
-
-def _with_set(
+def with_set(
     typed: Document, settings: Sequence[str], curves: CurveReader, folder: Path, *, partial: bool
 ) -> MachineFile:
     """Make a machine of a document with some values set anew, and of what gives the files that it names."""
-    document, paths = _with_settings(typed, settings)
+    document, paths = with_settings(typed, settings)
     origin = Origin(typed, paths, _SETTING, ", ".join(settings))
     return MachineFile(document, _checked(document.data, curves, folder, origin, partial=partial))
 
@@ -162,7 +135,7 @@ def load_with(
     InputError
         With everything that is wrong; one of the values stands at `set`, all else at its line of the file.
     """
-    typed, folder = document_of(source), _folder_of(source)
+    typed, folder = document_of(source), folder_of(source)
     with problems_as(lambda problem: replace(problem, position=SET)):
         data, paths = with_values(typed.data, values)
     origin = Origin(typed, paths, SET, ", ".join(values))
@@ -269,7 +242,7 @@ def _example_meant(name: str) -> str | None:
     return None if is_file else example_called(name)
 
 
-def _folder_of(source: "str | os.PathLike[str]") -> Path:
+def folder_of(source: "str | os.PathLike[str]") -> Path:
     """Folder to which a machine's other files are relative."""
     name = os.fspath(source)
     return Path(name).parent if _example_meant(name) is None else EXAMPLES_FOLDER
@@ -278,14 +251,11 @@ def _folder_of(source: "str | os.PathLike[str]") -> Path:
 _SETTING, SET = Position("--set"), Position("set")
 """Where a setting stands that is wrong: in the terminal, and in Python."""
 
-_TEXT = "machine.toml"
-"""Name of a machine file of which there is the text alone, as messages have it."""
-
 MOST_SETTINGS = 100
 """Of one run: the file is read anew for each."""
 
 
-def _with_settings(document: Document, settings: Sequence[str]) -> tuple[Document, tuple[PathParts, ...]]:
+def with_settings(document: Document, settings: Sequence[str]) -> tuple[Document, tuple[PathParts, ...]]:
     """Set values one after the other, and give their paths; every setting that cannot be made is told."""
     paths: list[PathParts] = []
     problems: list[Problem] = []

@@ -197,7 +197,7 @@ class _Metal:
 
 def _plain(value: Array) -> Array:
     """Take what is one number as a number, so that geometries can be compared."""
-    return single(plain(value)) if np.ndim(value) == 0 else value
+    return value if getattr(value, "ndim", 0) else single(plain(value))
 
 
 def _slots(

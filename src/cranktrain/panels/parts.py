@@ -1,6 +1,7 @@
 """A sheet as data: columns of parts, each a shape or a table with the room that it wants; and what heads it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
@@ -186,17 +187,29 @@ class ThrowAtAngle:
 
 
 @record
-class DrawnThrows:
-    """Throws as they are drawn: scenes, the crank angle [deg], dead positions of each member [deg], what is said of it.
-
-    `scale` is that which is asked for, millimetres of metal in one of paper. They fill what a column has left.
-    """
+class ThrowsAtAngle:
+    """Throws: scenes, the crank angle [deg], dead positions of each member [deg], what is said of it."""
 
     scenes: tuple[Scene, ...]
     at: float
     dead: tuple[tuple[tuple[float, ...], ...], ...]
     notes: tuple[Words, ...]
+
+
+@record
+class DrawnThrows:
+    """Throws that fill what a column has left: found when they are drawn, as a page draws its own.
+
+    `scale` is that which is asked for, millimetres of metal in one of paper.
+    """
+
+    find: Callable[[], ThrowsAtAngle]
     scale: float | None = None
+
+    @cached_property
+    def found(self) -> ThrowsAtAngle:
+        """Those throws."""
+        return self.find()
 
 
 @record

@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import cache
 from typing import NamedTuple
 
 from cranktrain.errors import Problem, refuse
@@ -183,6 +184,7 @@ def _most_frequent(names: Iterable[str]) -> str:
     return max(counts, key=lambda unit: (counts[unit], unit in _USUAL, unit))
 
 
+@cache
 def _measured_in(unit: str) -> UnitChoice:
     """What a unit measures, with its name in the list for each."""
     key = plain(unit)

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
-from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of, read_machine, read_text
+from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of
+from cranktrain.io.machine_source import MachineSource, source_called, source_of_text
 from cranktrain.io.offers import offered_tables, with_table
 from cranktrain.language import Words, _, in_language, languages, spoken_language
 from cranktrain.one_line import one_line
@@ -14,7 +15,7 @@ from cranktrain.panels.handles import DrawnHandle, drawn_handles
 from cranktrain.paths import parts_of
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
-from cranktrain.web.asked import MOST_KEPT, Case
+from cranktrain.web.asked import MOST_KEPT, Case, SentMachine
 from cranktrain.web.case_words import CaseWords, case_words
 from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
@@ -22,6 +23,8 @@ from cranktrain.web.packed import Packed, packed
 from cranktrain.web.page import ShownMachine, machine_page, shown_throw, tab_content, tab_names
 from cranktrain.web.whence import page_whence
 
+_MOST_INPUTS = 2000
+"""Numbers of which it is kept what is shown; of a machine all but one stay when somebody changes that."""
 _MOST_MECHANISMS = 200
 """Of a machine; a thousand take a gigabyte."""
 
@@ -196,23 +199,38 @@ def _result_of(case: Case | None) -> Result | None:
 
 def _computed(case: Case) -> tuple[MachineFile, Result]:
     """Read and compute; of what a page asks one after the other each part is computed once."""
-    file = Path(case.machine) if isinstance(case.machine, str) else None
-    return _kept(case, file.stat().st_mtime_ns if file is not None and file.exists() else 0)
+    return _kept(case, _written(case))
 
 
 @lru_cache(MOST_KEPT)
-def _kept(case: Case, _written: int) -> tuple[MachineFile, Result]:
+def _kept(case: Case, written: int) -> tuple[MachineFile, Result]:
     """Read and compute; quantities are found when they are asked for."""
-    file = machine_file_of(case)
+    file = _read(case, written)
     return file, computed(file, partial=True)
 
 
 def machine_file_of(case: Case) -> MachineFile:
     """Read a machine: of one that was sent its text, which is never taken for the name of anything."""
-    if isinstance(case.machine, str):
-        file = read_machine(case.machine, case.settings, partial=True)
-    else:
-        file = read_text(case.machine.text, dict(case.machine.files), case.settings, partial=True)
+    return _read(case, _written(case))
+
+
+def _written(case: Case) -> int:
+    """When the file of a machine was written; 0 of one that is none, which stays as it is. [ns]"""
+    file = Path(case.machine) if isinstance(case.machine, str) else None
+    return file.stat().st_mtime_ns if file is not None and file.exists() else 0
+
+
+@lru_cache(MOST_KEPT)
+def _source(machine: str | SentMachine, _written: int, _language: str) -> MachineSource:
+    """Take a machine file as it is typed: it stays while its numbers are set anew. Its name has words."""
+    if isinstance(machine, str):
+        return source_called(machine)
+    return source_of_text(machine.text, dict(machine.files))
+
+
+def _read(case: Case, written: int) -> MachineFile:
+    """Read a machine of a file that was written at some time."""
+    file = _source(case.machine, written, spoken_language()).with_set(case.settings, partial=True)
     n_mechanisms = len(file.machine.places)
     if n_mechanisms > _MOST_MECHANISMS:
         allowed = _("has {n} mechanisms; a page shows at most {limit}", n=n_mechanisms, limit=_MOST_MECHANISMS)
@@ -242,6 +260,7 @@ def _table_of(path: str) -> str:
     return f"[{'.'.join(names[:-1])}]" if len(names) > 1 else ""
 
 
+@lru_cache(_MOST_INPUTS)
 def _page_input(one: Input) -> PageInput:
     """Give a number with what is known of it."""
     *_above, last = parts_of(one.path)

@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from cranktrain.io.examples import example_names
-from cranktrain.io.machine_file import read_machine, read_text
+from cranktrain.io.machine_file import read_machine
+from cranktrain.io.machine_source import source_of_text
 from cranktrain.io.starting import starting_file
 from cranktrain.io.title import title
 from cranktrain.language import Words, _
@@ -98,7 +99,7 @@ def _kinds() -> Iterator[GalleryItem]:
     for name in KINDS.names:
         kind = KINDS.named(name)
         text = starting_file(kind)
-        machine = read_text(text, {}).machine
+        machine = source_of_text(text, {}).with_set().machine
         yield GalleryItem(name, _(kind.title), "", title(machine), text, _small(machine))
 
 

@@ -5,7 +5,8 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.io.examples import example_called, example_names
-from cranktrain.io.machine_file import inputs_of, read_machine, read_text
+from cranktrain.io.machine_file import inputs_of, read_machine
+from cranktrain.io.machine_source import source_of_text
 from cranktrain.paths import quantity_path
 
 MACHINE = '[mechanism]\nkind = "slider_crank"\nstroke = "80 mm"\nrod_length = "136 mm"\n'
@@ -72,7 +73,7 @@ def test_a_machine_of_a_text_is_that_of_its_file(tmp_path):
     path = tmp_path / "m.toml"
     path.write_text(MACHINE, encoding="utf-8")
     settings = ["mechanism.rod_length=140 mm"]
-    of_file, of_text = read_machine(path, settings), read_text(MACHINE, {}, settings)
+    of_file, of_text = read_machine(path, settings), source_of_text(MACHINE, {}).with_set(settings)
     assert of_text.machine == of_file.machine
     assert of_text.document.text == of_file.document.text
 
@@ -82,7 +83,7 @@ def test_a_text_is_never_the_name_of_a_file(text, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "m.toml").write_text(MACHINE, encoding="utf-8")
     with pytest.raises(ct.InputError) as caught:
-        read_text(text, {})
+        source_of_text(text, {}).with_set()
     assert all(problem.position.file == "machine.toml" for problem in caught.value.problems)
 
 

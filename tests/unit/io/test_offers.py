@@ -6,7 +6,8 @@ import pytest
 
 import cranktrain as ct
 from cranktrain.io.examples import example_names
-from cranktrain.io.machine_file import read_machine, read_text
+from cranktrain.io.machine_file import read_machine
+from cranktrain.io.machine_source import source_of_text
 from cranktrain.io.offers import offered_tables, with_table
 
 RADIUS = 0.04
@@ -24,12 +25,12 @@ def test_what_is_offered_is_right_in_the_file_and_new_to_it(name):
         text = with_table(file, table.key)
         assert text.startswith(file.document.text.rstrip())
         if not any("file" in one for one in file.document.data.get("gas", {})):
-            ct.run(read_text(text, {}, (), partial=True).machine, partial=True)
+            ct.run(source_of_text(text, {}).with_set(partial=True).machine, partial=True)
 
 
 def numbers_of(text, radius):
     """What is offered to a slider-crank of some size, by path. [as typed]"""
-    file = read_text(text.format(radius=f"{1e3 * radius:g} mm", rod=f"{3.4e3 * radius:g} mm"), {})
+    file = source_of_text(text.format(radius=f"{1e3 * radius:g} mm", rod=f"{3.4e3 * radius:g} mm"), {}).with_set()
     tables = {table.key: tomllib.loads(table.text)[table.key] for table in offered_tables(file)}
     return tables, lambda value: (float(value["value"].split()[0]), value["value"].split(" ", 1)[1])
 

@@ -232,7 +232,7 @@ def _with_common(table: CrankshaftTable, bearing: BearingSpec) -> BearingSpec:
 
 
 def _first(value: Array) -> float:
-    return plain(value if np.ndim(value) == 0 else value[0])
+    return plain(value[0] if getattr(value, "ndim", 0) else value)  # `np.ndim` would make an array of a number
 
 
 def each_of(given: Sequence[Given] | None, n: int) -> tuple[Array, ...]:

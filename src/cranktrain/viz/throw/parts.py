@@ -44,16 +44,17 @@ class FittedThrows(NamedTuple):
 
 def fitted_throws(throws: DrawnThrows, beside: Box, above: Box) -> tuple[FittedThrows, bool]:
     """Fit throws into one of two rooms, beside curves or above them, whichever lets them be larger; whether above."""
-    rough = max(scene.crank_radius for scene in throws.scenes) / _ROUGH
+    found = throws.found
+    rough = max(scene.crank_radius for scene in found.scenes) / _ROUGH
 
     @cache
     def drawn(scale: float) -> list[Sketch]:
         return [
-            mechanism_sketch(scene, throws.at, scale, dead, has_ring=not needs_detail(scene, scale))
-            for scene, dead in zip(throws.scenes, throws.dead, strict=True)
+            mechanism_sketch(scene, found.at, scale, dead, has_ring=not needs_detail(scene, scale))
+            for scene, dead in zip(found.scenes, found.dead, strict=True)
         ]
 
-    notes = tuple(map(str, throws.notes))
+    notes = tuple(map(str, found.notes))
     foot = 6.0 + _NOTE * len(notes)
     beside = beside._replace(bottom=beside.bottom + foot, height=beside.height - foot)
     narrow, wide = (fitted(drawn, rough, (room.width - 1.0, room.height - 6.0)) for room in (beside, above))
@@ -65,7 +66,7 @@ def fitted_throws(throws: DrawnThrows, beside: Box, above: Box) -> tuple[FittedT
 
 def draw_throws(page: Page, throws: DrawnThrows, of: FittedThrows) -> None:
     """Draw throws to the scale that was found, or to the one that is asked for."""
-    found, room = of.found, of.room
+    found, room, drawn = of.found, of.room, throws.found
     if throws.scale is not None:
         scale = 1e3 * chosen_scale(1e-3 * found.scale, throws.scale)
         found = at_scale(of.drawn, scale, (room.width - 1.0, room.height - 6.0))
@@ -73,8 +74,8 @@ def draw_throws(page: Page, throws: DrawnThrows, of: FittedThrows) -> None:
     low, high = (corner / sketch.scale for corner in labelled_bounds(sketch))
     origin = pair(room.middle - (low + high) / 2)
     page.draw(sketch, origin)
-    if len(throws.scenes) == 1 and needs_detail(throws.scenes[0], sketch.scale):
-        draw_throw_detail(page, throws.scenes[0], (throws.at, throws.dead[0]), sketch, origin, room)
+    if len(drawn.scenes) == 1 and needs_detail(drawn.scenes[0], sketch.scale):
+        draw_throw_detail(page, drawn.scenes[0], (drawn.at, drawn.dead[0]), sketch, origin, room)
     page.scale_bar(room.left, room.bottom - 5.0, sketch.scale)
     below = room.bottom - 6.0 - _NOTE * len(of.notes)
     for number, note in enumerate(reversed(of.notes)):

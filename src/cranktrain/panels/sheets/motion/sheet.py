@@ -1,11 +1,12 @@
 """The sheet of a machine: its throws to scale, its curves, and what both rest on."""
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 from cranktrain.analysis import Result
 from cranktrain.language import Listed, Message, Words, _
 from cranktrain.layout.speed import SpeedCurve
-from cranktrain.panels.parts import DrawnThrows, RulerMark, Sheet, SheetColumn, Stack, sheet_of
+from cranktrain.panels.parts import DrawnThrows, RulerMark, Sheet, SheetColumn, Stack, ThrowsAtAngle, sheet_of
 from cranktrain.panels.sheets.motion.dead_centres import ruler_of
 from cranktrain.panels.sheets.motion.panels import panels
 from cranktrain.panels.throw_scene import Scene, scene_of
@@ -39,7 +40,7 @@ def sheet(
     """
     ruler = ruler_of(result, design, piston)
     curves = Stack(panels(result, design, piston), of_motion=True)
-    throws = _throws(result, design, ruler.marks, at, piston, scale)
+    throws = DrawnThrows(partial(_throws, result, design, ruler.marks, at, piston), scale)
     return sheet_of(result, design, "", SheetColumn(0.48, (throws,)), SheetColumn(0.52, (ruler, curves)))
 
 
@@ -69,15 +70,14 @@ def _throws(
     found: Sequence[RulerMark],
     at: float,
     piston: str | None,
-    scale: float | None,
-) -> DrawnThrows:
+) -> ThrowsAtAngle:
     """The throws at a crank angle, with their dead positions and what is said of them."""
     scenes = drawn_scenes(result, design, piston)
     for scene in scenes:
         at = scene.closing_angle(at)
     names = [[(member.place.name, member.place.cylinder) for member in scene.members] for scene in scenes]
     dead = tuple(tuple(tuple(mark.angle for mark in found if mark.name in own) for own in each) for each in names)
-    return DrawnThrows(scenes, at, dead, tuple(_notes(scenes, at, dead)), scale)
+    return ThrowsAtAngle(scenes, at, dead, tuple(_notes(scenes, at, dead)))
 
 
 def _notes(scenes: Sequence[Scene], angle: float, dead: Sequence[Sequence[Sequence[float]]]) -> Iterator[Words]:
