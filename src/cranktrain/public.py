@@ -126,13 +126,15 @@ def start(
     >>> float(start("tilting_table", set={"drive.start.duration": "0.5 s"}).time[-1])
     0.5
     """
-    from cranktrain.study import starts
-
     sources, are_several = sources_of(machine, set, partial=False)
     if are_several:
-        return starts.starts([one.machine for one in sources], [one.placed for one in sources], progress=progress)
+        from cranktrain.study.starts import starts
+
+        return starts([one.machine for one in sources], [one.placed for one in sources], progress=progress)
+    from cranktrain.study.start import start as start_alone
+
     with problems_as(sources[0].placed):
-        return starts.start(sources[0].machine, progress=progress)
+        return start_alone(sources[0].machine, progress=progress)
 
 
 def sweep(

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from typing import NamedTuple, cast
 
 from cranktrain.all_questions import QUESTIONS
@@ -98,12 +99,19 @@ def differences(machines: Sequence[Machine]) -> Iterator[Problem]:
     """Find where designs differ in more than numbers."""
     first = machines[0]
     allowed = _("must be the same in all designs, which may differ in numbers alone; in design {n} it is another")
+    own = {name: getattr(first, name) for name in type(first).model_fields}
+
+    @cache
+    def of_first(tables: tuple[str, ...]) -> dict[str, object]:
+        return dict(_structure_of(first, tables))
+
+    cycle = first.cycle
     for n, machine in enumerate(machines[1:], start=2):
         # what designs share needs no look
-        tables = [name for name in type(first).model_fields if getattr(first, name) != getattr(machine, name)]
-        one, other = (dict(_structure_of(each, tables)) for each in (first, machine))
-        paths = [path for path in dict.fromkeys((*one, *other)) if one.get(path) != other.get(path)]
-        if not paths and machine.cycle != first.cycle:
+        tables = tuple(name for name, table in own.items() if table is not getattr(machine, name))
+        one, other = of_first(tables), dict(_structure_of(machine, tables))
+        paths = [] if one == other else [path for path in {**one, **other} if one.get(path) != other.get(path)]
+        if not paths and machine.cycle != cycle:
             over = _("must go on over one turn in all designs, or over two in all; in design {n} it is otherwise")
             yield Problem("load", None, over.format(n=n))
         if paths:

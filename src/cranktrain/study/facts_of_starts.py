@@ -31,6 +31,8 @@ from cranktrain.study.start import is_over_time, over_time_of_columns, over_time
 from cranktrain.transient.equation import Kernels, joined
 from cranktrain.transient.runs import loop_of
 
+FACTS_SHOWN = ("start_duration", "largest_motor_torque", "effective_motor_torque", "final_motor_heat")
+"""Of starts, unless others are asked for."""
 _COMPILING, _LOADING = 20.0, 0.5
 """How long it takes to compile starts, and to load what was compiled before: from when on plain ones are longer. [s]"""
 _compiled = set[Kernels]()

@@ -3,10 +3,11 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from cranktrain.analysis.parts import differences
+from cranktrain.columns import in_columns
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.grouping import grouped
 from cranktrain.language import Words, _
-from cranktrain.machine import Machine, machine_problems
+from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import short
 from cranktrain.record import record
@@ -14,12 +15,11 @@ from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Run
 from cranktrain.saying.sections import Column, Grid, PagePart, section
 from cranktrain.study.facts_of_rows import FactsOfRows, Gathered
-from cranktrain.study.facts_of_starts import facts_of_starts
+from cranktrain.study.facts_of_starts import FACTS_SHOWN, facts_of_starts
 from cranktrain.study.start import Start, start
+from cranktrain.study.sweep.machines import wrong_machines
 from cranktrain.transient.runs import Progress
 
-FACTS_SHOWN = ("start_duration", "largest_motor_torque", "effective_motor_torque", "final_motor_heat")
-"""Of starts, unless others are asked for."""
 _MOST_LINES, _MOST_SENTENCES = 24, 6
 """Of designs, and of what is to be minded, on the screen."""
 
@@ -156,10 +156,13 @@ def starts(
     refuse([] if progress is None else [Problem("progress", None, _("is told of one machine alone"))])
     refuse([] if machines else [Problem("machine", None, _("must be at least one design"))])
     refuse(dict.fromkeys(differences(machines)))
-    wrong = {place: found[0] for place, one in enumerate(machines) if (found := machine_problems(one))}
+    columns = in_columns(machines)
+    wrong = wrong_machines(machines, columns)
     fit = [place for place in range(len(machines)) if place not in wrong]
+    each = [machines[place] for place in fit]
     together = Gathered(len(machines))
-    together.add_rows(facts_of_starts([machines[place] for place in fit]), fit)
+    if each:
+        together.add_rows(facts_of_starts(each, columns=in_columns(each) if wrong else columns), fit)
     for place, problem in wrong.items():
         together.refused[place] = problem
     if placed:

@@ -10,8 +10,11 @@ import numpy as np
 import pytest
 
 import cranktrain as ct
+from cranktrain.columns import in_columns
 from cranktrain.how_far import listened_to
+from cranktrain.machine import machine_problems
 from cranktrain.study import facts_of_starts as road
+from cranktrain.study.sweep.machines import wrong_machines
 
 RATIO = "drive.stage[0].ratio"
 
@@ -158,3 +161,14 @@ def test_without_numba_they_are_plain_and_that_is_said(monkeypatch):
     assert said[0] == "0 of 2 starts, without Numba one by one"
     assert road._compiled == set()
     assert found.start_duration[1] == ct.start(found.machines[1]).start_duration
+
+
+def test_many_machines_are_judged_as_each_alone():
+    """Some of whose links cannot close, each at its place, as it says itself."""
+    radii = np.linspace(200.0, 1200.0, 40)
+    machine = ct.load("tilting_table")
+    each = [machine.with_({"mechanism.crank_radius": f"{radius!r} mm", RATIO: 40}) for radius in radii.tolist()]
+    found = wrong_machines(each, in_columns(each))
+    own = {place: problems[0] for place, one in enumerate(each) if (problems := machine_problems(one))}
+    assert 0 < len(own) < len(each)
+    assert {place: str(problem) for place, problem in found.items()} == {n: str(one) for n, one in own.items()}

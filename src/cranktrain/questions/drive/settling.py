@@ -44,7 +44,7 @@ _ASIDE = 1e-9
 _JUMP = 1e-6
 """Of the torque: less across a corner is no jump."""
 _NOWHERE = np.empty(0)
-_AT_ONCE = 16
+_AT_ONCE = 32
 """Designs that are computed together: the curves of more are too long to be kept near."""
 _STEPS_TOGETHER = 8
 """Of Newton's method: what takes more of them is sought alone."""

@@ -10,8 +10,8 @@ from cranktrain.language import Listed, _
 from cranktrain.machine import Machine
 from cranktrain.quantities import nearest
 from cranktrain.saying.catalogue import Entry
+from cranktrain.study.facts_of_starts import FACTS_SHOWN
 from cranktrain.study.start import is_over_time, quantities_of_start
-from cranktrain.study.starts import FACTS_SHOWN
 
 _SUGGESTED = 4
 
