@@ -10,4 +10,5 @@ def opened(answer):
     """JSON of an answer, and its numbers."""
     assert answer.status_code == 200, answer.text[:500]
     (length,) = struct.unpack_from("<I", answer.content)
-    return json.loads(answer.content[4 : 4 + length]), np.frombuffer(answer.content[4 + length :], "<f4")
+    by_byte = np.frombuffer(answer.content[4 + length :], np.uint8).reshape(4, -1)
+    return json.loads(answer.content[4 : 4 + length]), np.ascontiguousarray(by_byte.T).view("<f4").ravel()

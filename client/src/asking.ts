@@ -2,7 +2,7 @@
 
 import type { Asked } from "./address.ts";
 import type { Problem } from "./form.ts";
-import { revived } from "./numbers.ts";
+import { unpacked } from "./numbers.ts";
 
 /** What the service says is wrong. */
 export class Refused extends Error {
@@ -47,10 +47,5 @@ function caseOf({ machine, sent, settings }: Asked): object {
   return { ...own, settings: [...settings].map(([path, text]) => `${path}=${text}`) };
 }
 
-/** Read data: a length, so much JSON, and numbers. */
-export async function opened(answer: Response): Promise<unknown> {
-  const bytes = await answer.arrayBuffer();
-  const length = new DataView(bytes).getUint32(0, true);
-  const data: unknown = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
-  return revived(data, new Float32Array(bytes, 4 + length));
-}
+/** Read data. */
+export const opened = async (answer: Response): Promise<unknown> => unpacked(await answer.arrayBuffer());

@@ -7,6 +7,13 @@ interface Place {
   readonly shape: readonly number[];
 }
 
+/** Read data: a length, so much JSON, and the numbers of its arrays. */
+export function unpacked(bytes: ArrayBuffer): unknown {
+  const length = new DataView(bytes).getUint32(0, true);
+  const data: unknown = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
+  return revived(data, ofBytes(new Uint8Array(bytes, 4 + length)));
+}
+
 /** Give data with arrays in place of what says where their numbers are. */
 export function revived(data: unknown, block: Float32Array): unknown {
   if (Array.isArray(data)) return data.map((one) => revived(one, block));
@@ -39,7 +46,9 @@ export function ofBytes(bytes: Uint8Array): Float32Array {
   const size = Float32Array.BYTES_PER_ELEMENT;
   const count = bytes.length / size;
   const whole = new Uint8Array(bytes.length);
-  bytes.forEach((byte, place) => { whole[(place % count) * size + Math.floor(place / count)] = byte; });
+  for (let which = 0; which < size; which++) {
+    for (let place = 0; place < count; place++) whole[place * size + which] = bytes[which * count + place] ?? 0;
+  }
   return new Float32Array(whole.buffer);
 }
 

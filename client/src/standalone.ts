@@ -7,18 +7,17 @@ import "./paper.css";
 import { Address } from "./address.ts";
 import { Colours } from "./colours.ts";
 import type { ShownMachine } from "./data.ts";
-import { ofBytes, revived } from "./numbers.ts";
+import { unpacked } from "./numbers.ts";
 import { MachinePage } from "./page.ts";
 
-async function opened(id: string): Promise<ArrayBuffer> {
-  const text = document.getElementById(id)?.textContent ?? "";
+async function opened(): Promise<ArrayBuffer> {
+  const text = document.getElementById("data")?.textContent ?? "";
   const bytes = Uint8Array.from(atob(text.trim()), (letter) => letter.charCodeAt(0));
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
 async function start(): Promise<void> {
-  const [data, numbers] = await Promise.all([opened("data"), opened("numbers")]);
-  const page = revived(JSON.parse(new TextDecoder().decode(data)), ofBytes(new Uint8Array(numbers))) as ShownMachine;
+  const page = unpacked(await opened()) as ShownMachine;
   const into = document.getElementById("page");
   if (!into) return;
   const colours = new Colours();

@@ -29,10 +29,13 @@ class Packed(NamedTuple):
 
     @property
     def content(self) -> bytes:
-        """JSON behind its length, filled up with spaces to whole numbers, and the numbers."""
+        """JSON behind its length, and the first byte of every number, then the second of each, and so on.
+
+        In this order those of curves, which differ little from one to the next, take a third less room compressed.
+        """
         text = json.dumps(self.data, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
-        text += b" " * (-len(text) % 4)
-        return struct.pack("<I", len(text)) + text + self.numbers.astype("<f4").tobytes()
+        each = self.numbers.astype("<f4").view(np.uint8).reshape(-1, 4)
+        return struct.pack("<I", len(text)) + text + each.T.tobytes()
 
 
 def packed(value: object) -> Packed:

@@ -1,6 +1,7 @@
 """What a page shows of a machine: its answer, a tab for each title of its questions, its drawing over the cycle."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from importlib import import_module
 from inspect import signature
 from itertools import zip_longest
@@ -29,6 +30,7 @@ from cranktrain.panels.vectors import VectorsToScale, vectors_as_shown
 from cranktrain.plans.placement import first_throw, place_called, throw_of
 from cranktrain.record import record
 from cranktrain.saying.row_table import written_group
+from cranktrain.web.as_seen import in_bits_seen
 from cranktrain.web.parts import page_curves, page_parts
 from cranktrain.web.saved_facts import facts_beside
 from cranktrain.web.start_tab import START
@@ -234,7 +236,7 @@ def tab_content(result: Result, title: str, saved: Result | None = None, piston:
         answer=written_group(_(title), rows_under(result, title)),
         beside=None if saved is None else facts_beside(result, saved, title),
         sheets=tuple(_sheets(result, title, saved, piston)),
-        vectors=tuple(map(vectors_as_shown, _vectors(result, title, piston))),
+        vectors=tuple(map(_vectors_as_seen, _vectors(result, title, piston))),
     )
 
 
@@ -292,6 +294,13 @@ def _vectors(result: Result, title: str, piston: str) -> Iterator[VectorsToScale
     angles = np.arange(0.0, result.cycle + _VECTOR_STEP / 2, _VECTOR_STEP)
     for home in (one for question in _questions(result, title) for one in vectors_of(question.name)):
         yield from _named(home)(result, shown_throw(result.machines[0], piston), angles)
+
+
+def _vectors_as_seen(found: VectorsToScale) -> VectorsToScale:
+    """Give vectors in the unit in which they are shown, as arrows have them."""
+    shown = vectors_as_shown(found)
+    vectors = tuple(replace(one, value=in_bits_seen(one.value, shown.largest)) for one in shown.vectors)
+    return replace(shown, vectors=vectors)
 
 
 def _named(home: str) -> Callable[..., Any]:

@@ -26,7 +26,11 @@ from cranktrain.panels.shapes import Bars, Map, Panel, PolarDiagram, Rays, as_sh
 from cranktrain.record import record
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.saying.wording import plain
+from cranktrain.web.as_seen import in_bits_seen, outlined
 from cranktrain.web.saved_curves import differences, with_saved
+
+_UNSEEN = 1e-3
+"""Of the largest load of polar diagrams: a line that passes by so far is the same, less than a pixel even enlarged."""
 
 
 @record
@@ -217,12 +221,16 @@ def _polars(diagrams: Sequence[PolarDiagram], notes: Words) -> PagePolars:
     """Give diagrams in one unit."""
     most = max(float(np.max(np.abs(curve.points))) for diagram in diagrams for curve in diagram.curves)
     scale = scale_for("N", most)
-    return PagePolars(tuple(_polar(one, scale) for one in diagrams), scale.label, notes, _("Enlarge the middle"))
+    shown = tuple(_polar(one, scale, most) for one in diagrams)
+    return PagePolars(shown, scale.label, notes, _("Enlarge the middle"))
 
 
-def _polar(diagram: PolarDiagram, scale: Scale) -> PolarDiagram:
-    """Give a diagram in a unit."""
-    curves = tuple(replace(curve, points=scale.of(curve.points)) for curve in diagram.curves)
+def _polar(diagram: PolarDiagram, scale: Scale, most: float) -> PolarDiagram:
+    """Give a diagram in a unit: the first curve whole, as it is read, too, of the others what is seen."""
+    first, *others = (curve.points for curve in diagram.curves)
+    seen = (in_bits_seen(scale.of(own), scale.of(most)) for own in outlined(others, _UNSEEN * most))
+    points = zip(diagram.curves, (scale.of(first), *seen), strict=True)
+    curves = tuple(replace(curve, points=own) for curve, own in points)
     return replace(diagram, curves=curves, largest=scale.of(diagram.largest), marks=scale.of(diagram.marks))
 
 

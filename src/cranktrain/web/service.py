@@ -10,6 +10,7 @@ from typing import Any
 
 from fastapi import FastAPI, Request
 from fastapi.exceptions import HTTPException, RequestValidationError
+from fastapi.middleware.gzip import GZipMiddleware
 from fastapi.responses import HTMLResponse, JSONResponse, PlainTextResponse, Response
 
 from cranktrain.errors import InputError, Problem
@@ -35,6 +36,9 @@ from cranktrain.web.requests import (
 )
 from cranktrain.web.sweeps import Sweeps
 from cranktrain.web.workers import InThisProcess, Replying
+
+_LEAST_COMPRESSED, _QUICKLY = 1000, 1
+"""Bytes of an answer from which on it is compressed, and how hard: harder takes more time and hardly less room."""
 
 _SETTING = re.compile(r"([\w.\[\]-]{1,100})=")
 """A number that is set, after its path."""
@@ -64,7 +68,8 @@ _NUMBERS: dict[str, Any] = {
     "responses": {
         200: {
             "content": {"application/octet-stream": {}},
-            "description": "A length n (32 bits, little-endian), n bytes of JSON, then 32-bit numbers, little-endian."
+            "description": "A length n (32 bits, little-endian), n bytes of JSON, then 32-bit numbers, little-endian:"
+            " the first bytes of all, then the second ones, the third, the fourth."
             ' In the JSON {"at": first, "shape": [...]} is an array, row by row, which begins at that number.',
         },
         **_REFUSED,
@@ -89,6 +94,7 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
     """
     crew, sweeps = InThisProcess() if replying is None else replying, Sweeps()
     app = FastAPI(title="cranktrain", version=VERSION, docs_url=None, redoc_url=None, lifespan=_running(crew, sweeps))
+    app.add_middleware(GZipMiddleware, minimum_size=_LEAST_COMPRESSED, compresslevel=_QUICKLY)
     app.add_middleware(Guard, door=Door() if door is None else door)
     app.exception_handler(RequestValidationError)(_malformed)
     for status in (400, 404, 405):

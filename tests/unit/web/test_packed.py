@@ -52,6 +52,11 @@ def test_what_has_no_numbers_has_no_block():
     assert packed("rod").numbers.size == 0
 
 
+def test_bytes_are_a_length_json_and_first_bytes_before_second_ones():
+    content = packed([np.array([1.5, -2.0])]).content
+    assert content == b"\x16\x00\x00\x00" + b'[{"at":0,"shape":[2]}]' + bytes.fromhex("0000 0000 c000 3fc0")
+
+
 def test_what_a_browser_cannot_take_is_refused():
     with pytest.raises(TypeError, match="complex"):
         packed(1j)

@@ -1,6 +1,8 @@
 """What a page has of a machine: the terminal's rows, a picture or a reason on every tab, curves of the result."""
 
+import gzip
 import json
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -59,6 +61,15 @@ def test_a_browser_can_take_it(name):
     assert found.numbers.dtype == np.float32
 
 
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_one_cycle_takes_a_tenth_of_a_megabyte_on_its_way_whatever_is_open(name):
+    whole = page(name)
+    for tab in whole.tabs:
+        tabs = tuple(one if one is tab else replace(one, content=None) for one in whole.tabs)
+        for sent in (tab.content, replace(whole, tabs=tabs, trust=None)):
+            assert len(gzip.compress(packed(sent).content, 1)) < 100_000, tab.name
+
+
 @pytest.mark.parametrize("name", ["3d12", "vaz_21213", "deltic"])
 def test_the_largest_pages_are_below_half_a_megabyte(name):
     assert len(standalone_page(result(name)).encode()) < 500_000
@@ -80,8 +91,10 @@ def test_polar_diagrams_of_bearings_are_in_their_unit():
     largest = max(float(np.hypot(*one.largest)) for one in polars.diagrams)
     assert polars.unit == "kN"
     assert largest == pytest.approx(1e-3 * float(found.largest_bearing_load.max()), rel=0.2)
-    for one in polars.diagrams:
+    for place, one in enumerate(polars.diagrams):
         assert np.hypot(*one.largest) >= np.max(np.hypot(*one.curves[0].points)) * (1 - 1e-12)
+        np.testing.assert_allclose(one.curves[0].points[0, :-1], 1e-3 * found.main_bearing_load_x[0, place], rtol=1e-14)
+        assert {curve.points.shape[1] < 360 for curve in one.curves[1:]} == {True}
 
 
 def test_a_sheet_that_lacks_something_says_what():

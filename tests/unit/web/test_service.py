@@ -56,6 +56,15 @@ def test_only_the_open_tab_has_its_content_and_others_come_when_they_are_asked_f
     assert first["machine"]["tabs"][0]["content"]["answer"]["title"] == tabs[0]["title"]
 
 
+@pytest.mark.parametrize(("machine", "tab"), [("3d12", "Main bearings"), ("r_1340", "Largest forces")])
+def test_what_a_browser_opens_comes_compressed(client, machine, tab):
+    answer = client.post("/api/case", json={"machine": machine, "tab": tab})
+    assert answer.headers["Content-Encoding"] == "gzip"
+    assert answer.num_bytes_downloaded < 100_000 < len(answer.content)
+    plain = client.post("/api/case", json={"machine": machine, "tab": tab}, headers={"Accept-Encoding": "identity"})
+    assert plain.content == answer.content
+
+
 def test_a_served_file_that_was_written_anew_is_read_anew(tmp_path):
     path = tmp_path / "mine.toml"
     text = '[mechanism]\nkind = "slider_crank"\ncrank_radius = "50 mm"\nrod_length = "{} mm"\n'
