@@ -8,7 +8,7 @@ import { Address, type Asked, askedIn, last } from "./address.ts";
 import { ask, look, opened, Refused } from "./asking.ts";
 import { Bar } from "./bar.ts";
 import { Colours } from "./colours.ts";
-import type { CaseWords, Gallery, PageCase, PageGoingOn, PageHandles, PageOffer, PageWhence, TabContent } from "./data.ts";
+import type { CaseWords, Gallery, PageCase, PageGoingOn, PageHandles, PageMembers, PageOffer, PageWhence, TabContent } from "./data.ts";
 import { DesignTab } from "./design.ts";
 import { html } from "./elements.ts";
 import { Form, lines, sentence, type Problem } from "./form.ts";
@@ -232,6 +232,7 @@ class App {
         this.bar.offer(exports);
         return trust;
       },
+      members: async () => (await this.more("api/members", asked, signal)) as PageMembers,
       pick: (piston) => { this.ask({ ...this.steps.now, piston }); },
       whence: (quantity) => { void this.tellWhence(quantity, found); },
       editing: this.editing(found, asked, signal),

@@ -26,6 +26,7 @@ export interface ShownMachine {
   readonly tabs: readonly (PageTab)[];
   readonly trust: PageTrust | null;
   readonly drawing: MachineDrawing;
+  readonly members: PageMembers | null;
   readonly pistons: readonly (string)[];
   readonly ghosts: Numbers;
   readonly words: PageWords;
@@ -479,6 +480,28 @@ export interface LoadDrawing {
   readonly pin: Numbers;
 }
 
+export interface PageMembers {
+  readonly is: "PageMembers";
+  readonly tables: readonly (CursorTable)[];
+  readonly note: string;
+}
+
+export interface CursorTable {
+  readonly is: "CursorTable";
+  readonly head: string;
+  readonly names: readonly (string)[];
+  readonly columns: readonly (CursorColumn)[];
+  readonly values: Numbers;
+}
+
+export interface CursorColumn {
+  readonly is: "CursorColumn";
+  readonly head: string;
+  readonly step: Float;
+  readonly n_parts: number;
+  readonly around: Float | null;
+}
+
 export interface PageWords {
   readonly is: "PageWords";
   readonly drawing: string;
@@ -499,6 +522,7 @@ export interface PageWords {
   readonly dark: string;
   readonly ghosts: string;
   readonly piston: string;
+  readonly members: string;
 }
 
 export interface NumbersOfTable {

@@ -8,17 +8,20 @@ import type { Mechanism } from "./mechanism.ts";
 export function pressed(event: KeyboardEvent, cursor: Cursor, others: Readonly<Record<string, () => void>>): void {
   const { target } = event;
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT|SUMMARY)$/.test(target.tagName))) return;
+  if (target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName))) return;
   if (target instanceof HTMLInputElement && target.type !== "range") return;
   const by = event.shiftKey ? 10 : 1;
   if (event.key === "ArrowRight") cursor.step(by);
   else if (event.key === "ArrowLeft") cursor.step(-by);
   else if (event.key === "Home") cursor.home();
-  else if (event.key === " " && !(target instanceof HTMLButtonElement)) cursor.toggle();
+  else if (event.key === " " && !isOpenedBySpace(target)) cursor.toggle();
   else if (others[event.code]) others[event.code]?.();
   else return;
   event.preventDefault();
 }
+
+/** Whether the space key does something to an element of its own accord. */
+const isOpenedBySpace = (target: EventTarget | null): boolean => target instanceof HTMLElement && /^(BUTTON|SUMMARY)$/.test(target.tagName);
 
 /** Dragging round the first shaft turns the crank. */
 export function dragged(stage: HTMLElement, mechanism: () => Mechanism, cursor: () => Cursor): void {

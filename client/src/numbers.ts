@@ -85,6 +85,24 @@ export function between(values: Float32Array, end: number, place: number): numbe
   return part === 0 ? first : first + part * ((values[before + 1] ?? NaN) - first);
 }
 
+/** Of points on whose polynomial values are read; and how many of them stand before. */
+const SIX = 6;
+const BEFORE = 2;
+
+/** The same on the polynomial of the six points about a place; straight where one of them is not there. */
+export function smooth(values: Float32Array, end: number, place: number): number {
+  const steps = values.length - 1;
+  const exact = Math.min(Math.max((place / end) * steps, 0), steps);
+  const first = Math.min(Math.max(Math.floor(exact) - BEFORE, 0), steps + 1 - SIX);
+  let sum = 0;
+  for (let one = first; one < first + SIX; one++) {
+    let weight = 1;
+    for (let other = first; other < first + SIX; other++) if (other !== one) weight *= (exact - other) / (one - other);
+    sum += weight * (values[one] ?? NaN);
+  }
+  return Number.isFinite(sum) ? sum : between(values, end, place);
+}
+
 /** Value at a place between points that rise along `across`; NaN outside. */
 export function interpolated(across: Float32Array, values: Float32Array, place: number): number {
   let low = 0;

@@ -4,11 +4,12 @@ import type { Address, Place } from "./address.ts";
 import type { Colours } from "./colours.ts";
 import { Controls, type Cursor } from "./controls.ts";
 import { Passing } from "./course.ts";
-import type { PageCourse, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
+import type { PageCourse, PageMembers, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
 import { html, offer, write } from "./elements.ts";
 import { Handles, type Editing } from "./handles.ts";
 import { dragged, pressed } from "./hands.ts";
 import { Mechanism } from "./mechanism.ts";
+import { Members } from "./members.ts";
 import { number, same } from "./numbers.ts";
 import { hasDifferences, Sheets } from "./sheets.ts";
 import { answer, checks, table } from "./tables.ts";
@@ -29,6 +30,7 @@ const PAUSE = 250;
 export interface Source {
   readonly tab: (name: string) => Promise<TabContent>;
   readonly trust: () => Promise<PageTrust>;
+  readonly members: () => Promise<PageMembers>;
   /** Show the throw and the curves of a piston. */
   readonly pick: (piston: string) => void;
   /** Show where a number is from. */
@@ -57,6 +59,7 @@ export class MachinePage {
   private readonly stage = html("div", { class: "stage" });
   private readonly controls: Controls;
   private readonly pistons = html("select", { class: "pistons" });
+  private readonly members = new Members();
   private readonly leftOut = html("p", { class: "note" });
   private readonly answers = html("div", { class: "answers", "aria-live": "polite" });
   private readonly checked = html("div", {});
@@ -112,7 +115,7 @@ export class MachinePage {
     const right = html("section", { class: "right" }, this.toMind, this.panel, this.ownPanel);
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.pistons, this.vectors.element, this.ghosts, this.handles.button), this.controls.keys, this.leftOut),
+      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.pistons, this.vectors.element, this.ghosts, this.handles.button), this.controls.keys, this.leftOut, this.members.element),
       html("section", { class: "left" }, this.answers, this.checked),
       right,
     );
@@ -173,6 +176,9 @@ export class MachinePage {
     write(this.leftOut, page.drawing.left_out.length ? `${words.left_out} ${page.drawing.left_out.join(", ")}` : "");
     if (this.stage.firstChild !== this.mechanism.element) this.stage.replaceChildren(this.mechanism.element);
     this.columns.classList.toggle("wide", this.mechanism.aspect > WIDE);
+    const { members } = page;
+    const ask = members ? () => Promise.resolve(members) : source?.members;
+    if (ask) this.members.take(ask, number(page.cycle), words.members);
     if (page.trust) this.rely(page.trust);
     else if (source) {
       setTimeout(() => {
@@ -245,6 +251,7 @@ export class MachinePage {
     this.follow(content.course);
     this.vectors.take(this.contents, this.chosen?.name ?? "");
     this.vectors.element.hidden = content.course !== null;
+    this.members.element.hidden = content.course !== null;
     this.stand();
   }
 
@@ -291,6 +298,7 @@ export class MachinePage {
     const { cursor } = this;
     this.mechanism.show(cursor.angle);
     this.sheets.show(cursor.place);
+    if (!this.passing) this.members.show(cursor.angle);
     this.controls.show();
     if (!cursor.isPlaying || !Number.isNaN(this.address.place.angle)) this.keep(this.address.place.tab);
   }

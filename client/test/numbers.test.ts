@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
-import { between, extent, figure, figures, interpolated, ofBytes, revived, row, ticks } from "../src/numbers.ts";
+import { between, extent, figure, figures, interpolated, ofBytes, revived, row, smooth, ticks } from "../src/numbers.ts";
 import type { Numbers } from "../src/data.ts";
 
 describe("arrays", () => {
@@ -32,6 +32,16 @@ describe("between points", () => {
   });
   it("is a point's own value at it, also beside a gap", () => {
     assert.equal(between(Float32Array.from([5, NaN, 4]), 2, 0), 5);
+  });
+  it("goes on the polynomial of six, also at both ends", () => {
+    const quintic = (x: number): number => x ** 5 - 20 * x ** 3 + 7;
+    const values = Float32Array.from({ length: 9 }, (_one, place) => quintic(place - 4));
+    for (const place of [0, 0.3, 3.7, 4, 7.9, 8]) assert.ok(Math.abs(smooth(values, 8, place) - quintic(place - 4)) < 1e-3, `${place}`);
+  });
+  it("goes straight beside a gap, and where there are few", () => {
+    assert.equal(smooth(Float32Array.from([0, 2, 4]), 2, 0.5), 1);
+    assert.equal(smooth(Float32Array.from([0, 1, 2, 9, NaN, 5, 6, 7]), 7, 2.5), 5.5);
+    assert.ok(Number.isNaN(smooth(Float32Array.from([0, 1, 2, 9, NaN, 5, 6, 7]), 7, 3.5)));
   });
   it("takes one side of a jump", () => {
     assert.equal(interpolated(Float32Array.from([0, 1, 1, 2]), Float32Array.from([0, 0, 7, 7]), 1), 7);

@@ -20,7 +20,7 @@ from cranktrain.web.case_words import CaseWords, case_words
 from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
 from cranktrain.web.packed import Packed, packed
-from cranktrain.web.page import ShownMachine, machine_page, shown_throw, tab_content, tab_names
+from cranktrain.web.page import ShownMachine, machine_page, page_members_of, shown_throw, tab_content, tab_names
 from cranktrain.web.whence import page_whence
 
 _MOST_INPUTS = 2000
@@ -146,6 +146,13 @@ def packed_trust(case: Case) -> Packed:
     file, result = _computed(case)
     with result.in_its_units():
         return packed(page_going_on(file, result))
+
+
+def packed_members(case: Case, piston: str = "") -> Packed:
+    """Find pins and links of what is drawn over the cycle, and pack them; as `packed_page`."""
+    _file, result = _computed(case)
+    with result.in_its_units():
+        return packed(page_members_of(result, piston))
 
 
 def packed_handles(case: Case, piston: str = "") -> Packed:

@@ -17,6 +17,7 @@ from cranktrain.io.title import headed
 from cranktrain.language import Words, _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.question import Question
+from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.panels.dead_positions import dead_positions
@@ -31,6 +32,7 @@ from cranktrain.plans.placement import first_throw, place_called, throw_of
 from cranktrain.record import record
 from cranktrain.saying.row_table import written_group
 from cranktrain.web.as_seen import in_bits_seen
+from cranktrain.web.members_table import PageMembers, page_members
 from cranktrain.web.parts import page_curves, page_parts
 from cranktrain.web.saved_facts import facts_beside
 from cranktrain.web.start_tab import START
@@ -39,6 +41,8 @@ from cranktrain.web.textbook_tab import TEXTBOOK
 
 _STEP = 2.0
 """Between positions of the drawing, between which a page goes on smoothly. [deg]"""
+_STEP_AT_SPEEDS = 1.0
+"""Between numbers of pins and links of a crank whose speed varies and may rest, about which they turn fast. [deg]"""
 _VECTOR_STEP = 4.0
 """Between vectors, likewise: what stands evenly over the cycle. [deg]"""
 _MOST_PANELS = 4
@@ -105,6 +109,7 @@ class PageWords:
     dark: Words
     ghosts: Words
     piston: Words
+    members: Words
 
 
 def _page_words() -> PageWords:
@@ -128,6 +133,7 @@ def _page_words() -> PageWords:
         dark=_("dark"),
         ghosts=_("Dead centres"),
         piston=_("Piston"),
+        members=_("Pins and links at the crank angle"),
     )
 
 
@@ -146,6 +152,8 @@ class ShownMachine:
         None where they were not asked for.
     drawing : MachineDrawing
         A throw over the cycle, both ends included.
+    members : PageMembers or None
+        Its pins and links; None where they were not asked for.
     pistons : tuple of str
         Names of those whose throw and curves may be shown; none where there is one alone.
     ghosts : Array
@@ -159,6 +167,7 @@ class ShownMachine:
     tabs: tuple[PageTab, ...]
     trust: PageTrust | None
     drawing: MachineDrawing
+    members: PageMembers | None
     pistons: tuple[str, ...]
     ghosts: Array
     words: PageWords
@@ -173,7 +182,7 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
         Of one machine, with everything that it allows.
     tab : str, optional
         Which tab alone has its content, by its name, or the first where there is none of it; all tabs unless given, and
-        trust.
+        what else people may ask for.
     saved : Result, optional
         Of a machine that stands beside it.
     piston : str
@@ -197,13 +206,23 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
             for title in titles
         ),
         trust=page_trust(result) if tab is None else None,
-        drawing=machine_drawing(
-            machine, np.arange(0.0, result.cycle + _STEP / 2, _STEP), mechanism=throw[0].name if throw else None
-        ),
+        drawing=machine_drawing(machine, _evenly(result, _STEP), mechanism=throw[0].name if throw else None),
+        members=page_members_of(result, piston) if tab is None else None,
         pistons=pistons_of(machine),
         ghosts=dead_positions(machine, throw[0]) if throw else np.empty(0),
         words=_page_words(),
     )
+
+
+def page_members_of(result: Result, piston: str) -> PageMembers:
+    """Collect pins and links of the throw of a piston; the first one's where there is none of that name."""
+    step = _STEP if result.get(SpeedCurve) is None else _STEP_AT_SPEEDS
+    return page_members(result, shown_throw(result.machines[0], piston), _evenly(result, step))
+
+
+def _evenly(result: Result, step: float) -> Array:
+    """Crank angles over the cycle, both ends included. [deg]"""
+    return np.arange(0.0, result.cycle + step / 2, step)
 
 
 def pistons_of(machine: Machine) -> tuple[str, ...]:
@@ -291,7 +310,7 @@ def _chosen(result: Result, make: Callable[..., Any], piston: str) -> dict[str, 
 
 def _vectors(result: Result, title: str, piston: str) -> Iterator[VectorsToScale]:
     """Give vectors of some questions on the throw that is drawn."""
-    angles = np.arange(0.0, result.cycle + _VECTOR_STEP / 2, _VECTOR_STEP)
+    angles = _evenly(result, _VECTOR_STEP)
     for home in (one for question in _questions(result, title) for one in vectors_of(question.name)):
         yield from _named(home)(result, shown_throw(result.machines[0], piston), angles)
 

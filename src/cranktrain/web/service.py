@@ -139,6 +139,11 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
         """Give what is to be minded of a machine, and its checks: everything that it allows is computed for these."""
         return await answered(request, asked, "trust")
 
+    @app.post("/api/members", **_NUMBERS)
+    async def _members(request: Request, asked: ThrowAsked) -> Response:
+        """Give pins and links of the drawing over the cycle: places, speeds, directions."""
+        return await answered(request, asked, "members")
+
     @app.post("/api/handles", **_NUMBERS)
     async def _handles(request: Request, asked: ThrowAsked) -> Response:
         """Give the pins of the drawing that may be moved, and which numbers that changes."""

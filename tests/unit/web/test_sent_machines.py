@@ -33,7 +33,7 @@ TABLES = {
     "load.x": CYLINDER + '[load.x]\non = "main"\nfile = {file}\n',
     "crankshaft.pull.x": CYLINDER + "[crankshaft.pull.x]\nfile = {file}\n",
 }
-PARTS = ("case", "tab", "trust", "handles", "file")
+PARTS = ("case", "tab", "trust", "members", "handles", "file")
 
 _watches: list[list[str]] = []
 

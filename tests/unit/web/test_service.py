@@ -172,6 +172,7 @@ def test_its_interface_is_described(client):
             "/api/case",
             "/api/tab",
             "/api/trust",
+            "/api/members",
             "/api/handles",
             "/api/file",
             "/api/examples",
