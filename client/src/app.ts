@@ -243,29 +243,41 @@ class App {
     else this.page = new MachinePage(found.machine, this.view, this.address, this.colours, source, own);
   }
 
-  /** How pins are moved on the drawing: first it is asked whether there is such a machine. */
+  /** How pins are moved and parts are added on the drawing: first it is asked whether there is such a machine. */
   private editing(shown: PageCase, asked: Asked, signal: AbortSignal): Editing {
     const inputs = shown.tables.flatMap((table) => table.inputs);
     return {
       word: shown.words.move,
       nameOf: (path) => inputs.find((one) => one.path === path)?.name ?? path,
-      handles: async () => (this.handles?.of === asked ? this.handles.found : ((await this.more("api/handles", asked, signal)) as PageHandles)),
-      change: async (texts, isNext) => {
-        const next = { ...asked, settings: new Map([...asked.settings, ...texts]) };
-        try {
-          const found = (await opened(await ask("api/handles", next, { language: this.address.language }))) as PageHandles;
-          if (found.open.length) return found.open[0] as string;
-          this.handles = { of: next, found };
-        } catch (error) {
-          if (!(error instanceof Refused)) return String(error);
-          return sentence(error.problems.find((one) => one.path !== "") ?? (error.problems[0] as Problem));
-        }
-        if (isNext) this.steps.change(next);
-        else this.steps.add(next);
-        await this.show();
-        return "";
+      handles: async () => {
+        if (this.handles?.of !== asked) this.handles = { of: asked, found: (await this.more("api/handles", asked, signal)) as PageHandles };
+        return this.handles.found;
       },
+      adding: shown.words.adding,
+      change: (texts, isNext) => this.go(() => Promise.resolve({ ...asked, settings: new Map([...asked.settings, ...texts]) }), isNext),
+      add: (addition) => this.go(async () => {
+        const text = await (await ask("api/file", asked, { language: this.address.language, addition })).text();
+        const sent = await sentOf(asked.sent?.name ?? asked.machine, text, asked.sent?.files);
+        return { ...asked, machine: "", sent, settings: new Map() };
+      }, false),
     };
+  }
+
+  /** Go on to another machine, in the same step as before or in one of its own, or say why there is none. */
+  private async go(made: () => Promise<Asked>, isNext: boolean): Promise<string> {
+    try {
+      const next = await made();
+      const found = (await opened(await ask("api/handles", next, { language: this.address.language }))) as PageHandles;
+      if (found.open.length) return found.open[0] as string;
+      this.handles = { of: next, found };
+      if (isNext) this.steps.change(next);
+      else this.steps.add(next);
+    } catch (error) {
+      if (!(error instanceof Refused)) return String(error);
+      return sentence(error.problems.find((one) => one.path !== "") ?? (error.problems[0] as Problem));
+    }
+    await this.show();
+    return "";
   }
 
   /** Show where a number is from. */

@@ -1,5 +1,6 @@
 // Questions to the service, and its answers.
 
+import type { AddedPart } from "./adding.ts";
 import type { Asked } from "./address.ts";
 import type { Problem } from "./form.ts";
 import { unpacked } from "./numbers.ts";
@@ -14,11 +15,12 @@ export class Refused extends Error {
   }
 }
 
-/** What is asked beside a machine: in which language, on which tab, which table, which facts over which values. */
+/** What is asked beside a machine: in which language, on which tab, which table or part, which facts over which values. */
 interface Beside {
   readonly language: string;
   readonly tab?: string;
   readonly key?: string;
+  readonly addition?: AddedPart;
   readonly suffix?: string;
   readonly quantity?: string;
   readonly vary?: Readonly<Record<string, string>>;

@@ -568,6 +568,7 @@ export interface CaseWords {
   readonly close: string;
   readonly design: DesignWords;
   readonly move: string;
+  readonly adding: AddingWords;
   readonly others: string;
   readonly language: string;
   readonly no_answer: string;
@@ -589,9 +590,17 @@ export interface DesignWords {
   readonly numbers: string;
 }
 
+export interface AddingWords {
+  readonly is: "AddingWords";
+  readonly add: string;
+  readonly cancel: string;
+  readonly cross: string;
+}
+
 export interface PageHandles {
   readonly is: "PageHandles";
   readonly handles: readonly (DrawnHandle)[];
+  readonly additions: readonly (DrawnAddition)[];
   readonly open: readonly (string)[];
 }
 
@@ -609,6 +618,27 @@ export interface HandledNumber {
   readonly unit: string;
   readonly step: Float;
   readonly slope: Numbers;
+}
+
+export interface DrawnAddition {
+  readonly is: "DrawnAddition";
+  readonly mechanism: string;
+  readonly name: string;
+  readonly title: string;
+  readonly clicks: readonly (DrawnClick)[];
+}
+
+export interface DrawnClick {
+  readonly is: "DrawnClick";
+  readonly asks: string;
+  readonly targets: readonly (DrawnTarget)[];
+}
+
+export interface DrawnTarget {
+  readonly is: "DrawnTarget";
+  readonly name: string;
+  readonly words: string;
+  readonly pins: readonly (string)[];
 }
 
 export interface PageGoingOn {

@@ -1,6 +1,7 @@
 // Pins of the drawing that are moved by hand: a machine with other numbers follows, and the old one stays as a ghost.
 
-import type { DrawnHandle, PageHandles } from "./data.ts";
+import { Adding, type AddedPart } from "./adding.ts";
+import type { AddingWords, DrawnHandle, PageHandles } from "./data.ts";
 import { html, write } from "./elements.ts";
 import type { Mechanism, View } from "./mechanism.ts";
 import { between, number, row } from "./numbers.ts";
@@ -20,18 +21,21 @@ export interface Editing {
   readonly handles: () => Promise<PageHandles>;
   /** Show the machine with other texts, by their paths, or say why there is none; in the same step as before, or in one of its own. */
   readonly change: (texts: ReadonlyMap<string, string>, isNext: boolean) => Promise<string>;
+  /** Show the machine with another part, in a step of its own, or say why there is none. */
+  readonly add: (part: AddedPart) => Promise<string>;
   readonly nameOf: (path: string) => string;
+  readonly adding: AddingWords;
   /** What the button that begins it is called. */
   readonly word: string;
 }
 
 /** Of the page on which pins are moved. */
-interface Around {
+export interface Around {
   readonly stage: HTMLElement;
   readonly mechanism: () => Mechanism;
   readonly angle: () => number;
   readonly stop: () => void;
-  readonly redraw: () => void;
+  readonly redraw: (view?: View) => void;
 }
 
 interface Drag {
@@ -71,6 +75,7 @@ export function changes(slopes: readonly Point[], by: Point): number[] {
 export class Handles {
   private readonly word = html("span", {});
   readonly button = html("button", { type: "button", class: "choice", title: "E", "aria-pressed": "false" }, this.word);
+  readonly adding: Adding;
   private readonly around: Around;
   private readonly label = html("div", { class: "moved", role: "status" });
   private editing: Editing | undefined;
@@ -81,6 +86,7 @@ export class Handles {
 
   constructor(around: Around) {
     this.around = around;
+    this.adding = new Adding(around, () => { this.show(this.found); });
     this.button.hidden = this.label.hidden = true;
     this.button.addEventListener("click", () => { this.toggle(); });
     const { stage } = around;
@@ -110,11 +116,14 @@ export class Handles {
     this.button.hidden = !editing;
     write(this.word, editing?.word ?? "");
     if (!editing || !this.isOn) {
+      this.adding.offer([]);
       this.show([]);
       return;
     }
     const found = await editing.handles();
-    if (this.editing === editing) this.show(found.handles);
+    if (this.editing !== editing) return;
+    this.adding.offer(found.additions, editing);
+    this.show(found.handles);
   }
 
   private get isOn(): boolean {
@@ -124,7 +133,7 @@ export class Handles {
   private show(found: readonly DrawnHandle[]): void {
     this.found = found;
     const mechanism = this.around.mechanism();
-    mechanism.showHandles(found);
+    mechanism.showHandles(this.adding.isBegun ? [] : found);
     if (!this.drag) return;
     mechanism.showOld(this.drag.old);
     this.around.stage.append(this.label);

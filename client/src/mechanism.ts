@@ -46,6 +46,15 @@ export interface View {
   readonly box: readonly [number, number, number, number];
 }
 
+/** Room about a drawing for what is added to it, in parts of its longer side. */
+const ROOM = 0.25;
+
+/** A view with room about what it shows. */
+export function roomier({ scale, box: [left, top, width, height] }: View): View {
+  const by = ROOM * Math.max(width, height);
+  return { scale, box: [left - by, top - by, width + 2 * by, height + 2 * by] };
+}
+
 /** A machine's drawing, which is shown at a crank angle. */
 export class Mechanism {
   readonly element: SVGSVGElement;
@@ -58,6 +67,7 @@ export class Mechanism {
   private readonly old = svg("g", { class: "ghost old" });
   private readonly layer = svg("g", {});
   private readonly held = svg("g", {});
+  private readonly marks = svg("g", { class: "marks" });
   private rings: { readonly ring: SVGElement; readonly one: DrawnHandle }[] = [];
   private vectors: DrawnVectors | null = null;
   private shown = 0;
@@ -88,7 +98,7 @@ export class Mechanism {
     for (const load of drawing.loads) this.load(load, loads);
     this.scaleBar(box, still);
     this.edges = { left: box[0], right: box[0] + box[2], top: box[1], bottom: box[1] + box[3] };
-    this.element.append(this.layer, this.held);
+    this.element.append(this.layer, this.marks, this.held);
     this.show(0);
   }
 
@@ -155,6 +165,11 @@ export class Mechanism {
     }
   }
 
+  /** Mark what is about to be added, and nothing else. */
+  mark(marks: readonly SVGElement[]): void {
+    this.marks.replaceChildren(...marks);
+  }
+
   /** Where a pin of one of its mechanisms is. */
   pinOf(one: { readonly mechanism: string; readonly pin: string }, angle: number): Point {
     const of = this.drawing.mechanisms.find((other) => other.name === one.mechanism);
@@ -167,7 +182,13 @@ export class Mechanism {
     return inverse ? new DOMPoint(x, y).matrixTransform(inverse) : { x: NaN, y: NaN };
   }
 
-  /** A distance in the picture as one of the machine: to the right and up. [m] */
+  /** Where a point of the picture is on the window. */
+  onWindow(point: Point): Point {
+    const matrix = this.element.getScreenCTM();
+    return matrix ? new DOMPoint(point.x, point.y).matrixTransform(matrix) : { x: NaN, y: NaN };
+  }
+
+  /** A point or a distance in the picture as one of the machine: to the right and up. [m] */
   inMetres(by: Point): Point {
     return { x: by.x / this.scale, y: -by.y / this.scale };
   }
@@ -206,7 +227,8 @@ export class Mechanism {
     );
   }
 
-  private point(x: number, y: number): Point {
+  /** Where a point of the machine is in the picture. [m] */
+  point(x: number, y: number): Point {
     return { x: x * this.scale, y: -y * this.scale };
   }
 

@@ -8,7 +8,7 @@ import type { PageCourse, PageMembers, PageTab, PageTrust, ShownMachine, TabCont
 import { html, offer, write } from "./elements.ts";
 import { Handles, type Editing } from "./handles.ts";
 import { dragged, pressed } from "./hands.ts";
-import { Mechanism } from "./mechanism.ts";
+import { Mechanism, type View } from "./mechanism.ts";
 import { Members } from "./members.ts";
 import { number, same } from "./numbers.ts";
 import { hasDifferences, Sheets } from "./sheets.ts";
@@ -95,10 +95,7 @@ export class MachinePage {
       mechanism: () => this.mechanism,
       angle: () => this.cursor.angle,
       stop: () => { this.cursor.stop(); },
-      redraw: () => {
-        this.mechanism = new Mechanism(this.page.drawing, this.page.words.drawing);
-        this.fill(this.page, this.source);
-      },
+      redraw: (view) => { this.redraw(view); },
     });
     this.controls = new Controls(this.turning, page.words);
     this.sheets = new Sheets((place) => {
@@ -115,7 +112,7 @@ export class MachinePage {
     const right = html("section", { class: "right" }, this.toMind, this.panel, this.ownPanel);
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.pistons, this.vectors.element, this.ghosts, this.handles.button), this.controls.keys, this.leftOut, this.members.element),
+      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.pistons, this.vectors.element, this.ghosts, this.handles.button), this.handles.adding.element, this.controls.keys, this.leftOut, this.members.element),
       html("section", { class: "left" }, this.answers, this.checked),
       right,
     );
@@ -187,6 +184,16 @@ export class MachinePage {
     }
     this.choose(this.chosen);
     this.handles.take(source?.editing);
+  }
+
+  /** Draw the mechanism anew, in a view or as it fits. */
+  private redraw(view?: View): void {
+    this.mechanism = new Mechanism(this.page.drawing, this.page.words.drawing, view);
+    this.stage.replaceChildren(this.mechanism.element);
+    if (!view) this.columns.classList.toggle("wide", this.mechanism.aspect > WIDE);
+    this.haunt();
+    this.vectors.take(this.contents, this.chosen?.name ?? "");
+    this.stand();
   }
 
   /** Offer the pistons whose throw may be shown, where it can be asked for. */
@@ -297,6 +304,7 @@ export class MachinePage {
   private stand(): void {
     const { cursor } = this;
     this.mechanism.show(cursor.angle);
+    this.handles.adding.show();
     this.sheets.show(cursor.place);
     if (!this.passing) this.members.show(cursor.angle);
     this.controls.show();

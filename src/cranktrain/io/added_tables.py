@@ -1,10 +1,13 @@
 """The text of a machine file with more tables of a list in it, and with some of what it has behind comment marks."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from typing import cast
 
+from cranktrain.io.document import Document
 from cranktrain.io.editing import with_value
-from cranktrain.io.text_spans import TextSpan, places
-from cranktrain.paths import PathParts, path_text, quantity_path
+from cranktrain.io.text_spans import TextSpan, TextSpans, places
+from cranktrain.mechanisms.by_hand import AddedTable
+from cranktrain.paths import PathParts, path_text, quantity_path, quoted
 
 
 def with_tables(text: str, path: str, tables: Sequence[Mapping[str, str]], taken_out: Sequence[str] = ()) -> str:
@@ -40,9 +43,31 @@ def with_tables(text: str, path: str, tables: Sequence[Mapping[str, str]], taken
     lines = [
         line for table in tables for line in ("", f"[[{path}]]", *(f"{key} = {value}" for key, value in table.items()))
     ]
-    before = source.decode()
-    end = "" if before.endswith("\n") else newline
-    return before + end + newline.join(lines) + newline
+    end = _end_of_items(source, found, place)
+    before, behind = source[:end].decode(), source[end:].decode()
+    line_end = "" if before.endswith("\n") else newline
+    return before + line_end + newline.join(lines) + newline + behind
+
+
+def with_part(text: str, home: str, added: AddedTable) -> str:
+    """Give a text with a part that is added to a mechanism, and all else as it was.
+
+    Parameters
+    ----------
+    text : str
+        A TOML text that can be read.
+    home : str
+        Path of the mechanism's table.
+    added : AddedTable
+
+    Returns
+    -------
+    str
+    """
+    path, keys = f"{home}.{added.path}", {key: toml_text(value) for key, value in added.keys.items()}
+    if added.is_item:
+        return with_tables(text, path, [keys])
+    return with_values(text, {f"{path}.{key}": value for key, value in keys.items()})
 
 
 def with_values(text: str, values: Mapping[str, str], whole: Sequence[str] = ()) -> str:
@@ -76,6 +101,22 @@ def with_values(text: str, values: Mapping[str, str], whole: Sequence[str] = ())
     return source.decode()
 
 
+def toml_text(value: object) -> str:
+    """Write a value as TOML has it in a line."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, str):
+        return quoted(Document.from_text(value, "save").text)
+    if isinstance(value, Mapping):
+        pairs = (
+            f"{path_text((key,))} = {toml_text(item)}" for key, item in cast("Mapping[str, object]", value).items()
+        )
+        return "{ " + ", ".join(pairs) + " }"
+    if isinstance(value, list):
+        return f"[{', '.join(map(toml_text, cast('list[object]', value)))}]"
+    return repr(value)
+
+
 def commented_out(text: str, paths: Iterable[PathParts]) -> str:
     """Give a text with some keys and tables behind comment marks."""
     return _without(text.encode(), (), paths).decode()
@@ -91,6 +132,16 @@ def _with_table(source: bytes, path: str, values: Mapping[str, str]) -> bytes:
     kept = {quantity_path(key) for key in values}
     others = [one for one in spans if len(one) == len(parts) + 1 and one[:-1] == parts and one not in kept]
     return _without(source, (), others)
+
+
+def _end_of_items(source: bytes, found: TextSpans, place: TextSpan) -> int:
+    """Where the last line of a list of tables with heads ends, all of its last table in it; else the text."""
+    if place.kind != "sections":
+        return len(source)
+    last = (*place.path, place.n_items - 1)
+    own = (span for path, span in found.by_path.items() if path[: len(last)] == last)
+    line = source.find(b"\n", max(max(span.tail, span.end) for span in own))
+    return line + 1 if line >= 0 else len(source)
 
 
 def _items(source: bytes, by_path: Mapping[PathParts, TextSpan], place: TextSpan) -> list[bytes]:

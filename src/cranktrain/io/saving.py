@@ -9,11 +9,10 @@ from pathlib import Path
 from typing import Any, cast
 
 from cranktrain.errors import InputError
-from cranktrain.io.added_tables import commented_out, with_values
-from cranktrain.io.document import Document
+from cranktrain.io.added_tables import commented_out, toml_text, with_values
 from cranktrain.io.output import write_machine_file
 from cranktrain.machine import Machine
-from cranktrain.paths import PathParts, is_table, path_text, quoted
+from cranktrain.paths import PathParts, is_table, path_text
 from cranktrain.quantities import Given
 from cranktrain.spec import Spec
 
@@ -53,7 +52,7 @@ def machine_text(machine: Machine, folder: Path) -> str:
 
 def _written(text: str, values: Iterable[tuple[PathParts, Any]]) -> str:
     """Put values into a text."""
-    return with_values(text, {path_text(path): _toml(value) for path, value in values})
+    return with_values(text, {path_text(path): toml_text(value) for path, value in values})
 
 
 def _is_same(one: Any, other: Any) -> bool:
@@ -118,17 +117,3 @@ def _gone(typed: Mapping[str, Any], declared: Mapping[str, Any], above: PathPart
             yield path
         elif isinstance(old, list) and old != value and any(map(is_table, cast("list[object]", old))):
             yield from ((*path, place) for place in range(len(cast("list[object]", old))))
-
-
-def _toml(value: object) -> str:
-    """Write a value as TOML has it in a line."""
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, str):
-        return quoted(Document.from_text(value, "save").text)
-    if isinstance(value, Mapping):
-        pairs = (f"{path_text((key,))} = {_toml(item)}" for key, item in cast("Mapping[str, object]", value).items())
-        return "{ " + ", ".join(pairs) + " }"
-    if isinstance(value, list):
-        return f"[{', '.join(map(_toml, cast('list[object]', value)))}]"
-    return repr(value)

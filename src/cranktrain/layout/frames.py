@@ -76,6 +76,23 @@ def in_machine_axes(x: Array, y: Array, frame: Frame) -> tuple[Array, Array]:
     return x * sin + frame.sense * y * cos, x * cos - frame.sense * y * sin
 
 
+def in_own_axes(right: Array, up: Array, frame: Frame) -> tuple[Array, Array]:
+    """Give a vector or point of the machine's axes in a mechanism's own, as `in_machine_axes` the other way.
+
+    Parameters
+    ----------
+    right, up : Array, of one shape
+        In the machine's axes, along X and Y; any unit.
+    frame : Frame
+
+    Returns
+    -------
+    x, y : Array of the same shape and unit
+    """
+    cos, sin = np.cos(frame.direction), np.sin(frame.direction)
+    return right * sin + up * cos, frame.sense * (right * cos - up * sin)
+
+
 @record
 class Frames:
     """Where all mechanisms' axes lie in common ones: x along Y, y turned from it in the sense in which `main` runs.

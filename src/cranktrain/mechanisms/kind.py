@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from cranktrain.folders import member_named
 from cranktrain.language import Words
+from cranktrain.mechanisms.by_hand import Addition, Handle
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.mechanisms.dynamics import Dynamics
-from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, Handed
@@ -137,6 +137,8 @@ class Kind(Generic[Motion, Geometry]):
         What its own results say in the answer; see `Question`.
     handles : tuple of Handle
         Pins of the drawing by which its numbers may be changed.
+    additions : tuple of Addition
+        Parts that may be added to it by clicks on the drawing.
     """
 
     name: str
@@ -174,6 +176,7 @@ class Kind(Generic[Motion, Geometry]):
     has_own_pin: bool = False
     rows: tuple[Callable[..., Iterable[AnswerLine]], ...] = ()
     handles: tuple[Handle, ...] = ()
+    additions: tuple[Addition, ...] = ()
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[object, ...]]:
         """Give what finds it again by its name, and of what it is made."""

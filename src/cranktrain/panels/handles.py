@@ -9,9 +9,11 @@ import numpy as np
 
 from cranktrain.layout.places import PlacedMechanism, with_table
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.handle import Handle
+from cranktrain.mechanisms.by_hand import FINE, Handle
 from cranktrain.motion import Array
-from cranktrain.paths import PathParts, parts_of
+from cranktrain.numerics.round_steps import round_below
+from cranktrain.paths import PathParts, parts_of, path_text
+from cranktrain.plans.link_points import followed_pin
 from cranktrain.plans.placement import placed
 from cranktrain.quantities import Given, shown
 from cranktrain.quantities.number import measured
@@ -28,8 +30,8 @@ _CHANGE = 1e-6
 """Of a number, by which its slope is found, in parts of it or of 1."""
 _ALIKE = 1e-9
 """Pins that are never farther apart are one. [m]"""
-_FINE, _FIGURES = 300.0, 50.0
-"""So many steps of a number, or some more, move a pin as far as the mechanism reaches, and are the number itself."""
+_FIGURES = 50.0
+"""So many steps of a number, or some more, are the number itself."""
 
 
 @record
@@ -111,15 +113,21 @@ def drawn_handles(
 
 def _held(machine: Machine, place: PlacedMechanism, declared: Sequence[str]) -> Iterator[_Held]:
     """Give the pins of a mechanism of whose numbers the file has some."""
-    handles = place.kind.handles
-    if not handles:
+    if not (place.kind.handles or place.spec.points):
         return
     positions = placed(machine, place, _angles(machine)).positions
-    for handle in handles:
+    followed = (Handle(followed_pin(name, positions), _point_numbers(name)) for name in place.spec.points)
+    # Where one is on another pin, the pin's handle lies above it.
+    for handle in (*followed, *place.kind.handles):
         known = ((path, number_at(place.spec, parts_of(path))) for path in handle.numbers)
         typed = {path: given for path, given in known if given is not None and _in_file(place, path) in declared}
         if typed and handle.pin in positions:
             yield _Held(place, handle, positions[handle.pin], dict(list(typed.items())[:_MOST]))
+
+
+def _point_numbers(name: str) -> tuple[str, ...]:
+    """Numbers that say where on its link a followed point is."""
+    return tuple(path_text(("points", name, number)) for number in ("along", "across"))
 
 
 def _size(place: PlacedMechanism, held: Sequence[_Held]) -> float:
@@ -160,7 +168,7 @@ def _numbers(machine: Machine, one: _Held, others: Sequence[_Held], size: float)
                 paths=tuple(dict.fromkeys(_in_file(other.place, path) for other in others)),
                 number=number,
                 unit=typed.unit,
-                step=_round_below(min(size / (_FINE * most), abs(number) / _FIGURES or np.inf)),
+                step=round_below(min(size / (FINE * most), abs(number) / _FIGURES or np.inf)),
                 slope=slope * per_unit,
             )
 
@@ -177,12 +185,6 @@ def _slope(machine: Machine, one: _Held, path: str, given: Given) -> Array:
         return np.stack([np.broadcast_to(part.value, angles.shape) for part in pin])
 
     return (at(given.si + change) - at(given.si - change)) / (2 * change)
-
-
-def _round_below(size: float) -> float:
-    """Give the largest of 1, 2 and 5 times a power of ten that is no larger."""
-    power = 10.0 ** np.floor(np.log10(size))
-    return float(power * next(part for part in (5, 2, 1) if part * power <= size * (1 + 1e-9)))
 
 
 def number_at(table: object, parts: PathParts) -> Given | None:

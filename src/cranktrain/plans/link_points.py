@@ -1,5 +1,6 @@
 """Points that the machine file asks to follow, such as a coupler's, as pins of a drawing."""
 
+from collections.abc import Container
 from dataclasses import replace
 
 import numpy as np
@@ -32,7 +33,7 @@ def with_points(drawing: Drawing, place: PlacedMechanism, angle: Array) -> Drawi
     links = list(drawing.links)
     found: dict[str, Point] = {}
     for own, spec in place.spec.points.items():
-        name = own if own not in drawing.pins else f"{own}_p"
+        name = own if own not in drawing.pins else _beside(own)
         link: Link = place.kind.named(motion, spec.link)
         along, across = spec.along.si, place.sense * spec.across.si
         found[name] = point(link, LinkPoint(np.hypot(along, across), np.arctan2(across, along)))
@@ -46,6 +47,16 @@ def with_points(drawing: Drawing, place: PlacedMechanism, angle: Array) -> Drawi
         paths=(*drawing.paths, *found),
         points=(*drawing.points, *found),
     )
+
+
+def followed_pin(name: str, pins: Container[str]) -> str:
+    """Name the pin that a followed point is, of the pins of a drawing that has it."""
+    return _beside(name) if _beside(name) in pins else name
+
+
+def _beside(name: str) -> str:
+    """Name the pin of a point that is called as another pin."""
+    return f"{name}_p"
 
 
 def _drawn_as(links: list[DrawnLink], drawing: Drawing, name: str, link: Link) -> int | None:

@@ -24,10 +24,23 @@ class Case(NamedTuple):
     settings: tuple[str, ...] = ()
 
 
+class ClickedPart(NamedTuple):
+    """A part that is to be added to a mechanism by clicks on its drawing, as `added_table` takes it.
+
+    Each click: the name of the pin or link that it took, none of the ground; X to the right and Y up. [m]
+    """
+
+    mechanism: str
+    name: str
+    angle: float
+    clicks: tuple[tuple[str, float, float], ...]
+
+
 class PageQuestion(NamedTuple):
     """Which part of a page is asked for, of which machine if of one, on the tab of which name, beside which saved case.
 
     key: of a table that is to stand in the machine file, too; of a quantity; how the name of a file to take away ends.
+    part_added: that is to stand in the machine file, too.
     piston: whose throw and curves are shown. language: that of the surroundings unless given.
     """
 
@@ -38,6 +51,7 @@ class PageQuestion(NamedTuple):
     key: str = ""
     piston: str = ""
     language: str | None = None
+    part_added: ClickedPart | None = None
 
 
 class SweepQuestion(NamedTuple):

@@ -6,16 +6,19 @@ from pathlib import Path
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
+from cranktrain.io.added_tables import with_part
 from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of
 from cranktrain.io.machine_source import MachineSource, source_called, source_of_text
 from cranktrain.io.offers import offered_tables, with_table
 from cranktrain.language import Words, _, in_language, languages, spoken_language
+from cranktrain.mechanisms.by_hand import Clicked
 from cranktrain.one_line import one_line
+from cranktrain.panels.additions import DrawnAddition, added_table, drawn_additions
 from cranktrain.panels.handles import DrawnHandle, drawn_handles
 from cranktrain.paths import parts_of
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
-from cranktrain.web.asked import MOST_KEPT, Case, SentMachine
+from cranktrain.web.asked import MOST_KEPT, Case, ClickedPart, SentMachine
 from cranktrain.web.case_words import CaseWords, case_words
 from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
@@ -92,16 +95,18 @@ class PageCase:
 
 @record
 class PageHandles:
-    """Pins of the drawing that may be moved.
+    """Pins of the drawing that may be moved, and parts that may be added by clicks.
 
     Attributes
     ----------
     handles : tuple of DrawnHandle
+    additions : tuple of DrawnAddition
     open : tuple of Words
         Where the links cannot close, and what would let them; none where they close all round.
     """
 
     handles: tuple[DrawnHandle, ...]
+    additions: tuple[DrawnAddition, ...]
     open: tuple[Words, ...]
 
 
@@ -156,14 +161,15 @@ def packed_members(case: Case, piston: str = "") -> Packed:
 
 
 def packed_handles(case: Case, piston: str = "") -> Packed:
-    """Find the pins of the drawing that may be moved, and pack them; as `packed_page`."""
+    """Find what of the drawing may be moved, and what added to it, and pack it; as `packed_page`."""
     file, _result = _computed(case)
     places = shown_throw(file.machine, piston)
     handles = drawn_handles(file.machine, places, [one.path for one in inputs_of(file)])
-    return packed(PageHandles(handles, tuple(problem.allowed for problem in file.machine.closing_problems)))
+    additions = drawn_additions(file.machine, places)
+    return packed(PageHandles(handles, additions, tuple(problem.allowed for problem in file.machine.closing_problems)))
 
 
-def file_text(case: Case, key: str = "") -> str:
+def file_text(case: Case, key: str = "", part: ClickedPart | None = None) -> str:
     """Give the machine file with the numbers in place, its comments where they were.
 
     Parameters
@@ -171,12 +177,18 @@ def file_text(case: Case, key: str = "") -> str:
     case : Case
     key : str
         Of a table that is to stand in it, too, of those that are offered to the machine.
+    part : ClickedPart, optional
+        That is to stand in it, too, and nothing else then.
 
     Raises
     ------
     InputError
-        With all that is wrong with the machine; for a table that is not offered.
+        With all that is wrong with the machine; for a table that is not offered, and a part that cannot be.
     """
+    if part is not None:
+        file, _result = _computed(case)
+        clicks = [Clicked(*one) for one in part.clicks]
+        return with_part(file.document.text, *added_table(file.machine, part.mechanism, part.name, part.angle, clicks))
     file = machine_file_of(case)
     if not key:
         return file.document.text

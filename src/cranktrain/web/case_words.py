@@ -23,6 +23,15 @@ class DesignWords:
 
 
 @record
+class AddingWords:
+    """Words of parts that are added by clicks on the drawing."""
+
+    add: Words
+    cancel: Words
+    cross: Words
+
+
+@record
 class CaseWords:
     """Words of a page on which numbers may be changed."""
 
@@ -46,6 +55,7 @@ class CaseWords:
     close: Words
     design: DesignWords
     move: Words
+    adding: AddingWords
     others: Words
     language: Words
     no_answer: Words
@@ -87,6 +97,11 @@ def case_words() -> CaseWords:
             numbers=_("Numbers"),
         ),
         move=_("Move pins"),
+        adding=AddingWords(
+            add=_("Add"),
+            cancel=_("Cancel"),
+            cross=_("A cross on the drawing: arrow keys move it, with shift farther; Enter takes what is there"),
+        ),
         others=_("More"),
         language=_("Language"),
         no_answer=_("the service does not answer"),

@@ -46,7 +46,9 @@ def _reply(question: PageQuestion | SweepQuestion, say: Callable[[HowFar], None]
 
             return Reply(200, "application/octet-stream", packed_sweep(question, say).content)
         if question.part == "file" and question.case is not None:
-            return Reply(200, "text/plain; charset=utf-8", file_text(question.case, question.key).encode())
+            return Reply(
+                200, "text/plain; charset=utf-8", file_text(question.case, question.key, question.part_added).encode()
+            )
         return Reply(200, "application/octet-stream", _content(question))
     except InputError as error:
         return refused(error.problems)
@@ -59,7 +61,7 @@ def _reply(question: PageQuestion | SweepQuestion, say: Callable[[HowFar], None]
 
 def _content(question: PageQuestion) -> bytes:
     """Compute a part of a page as its bytes."""
-    case, part, tab, beside, key, piston, _language = question
+    case, part, tab, beside, key, piston, *_others = question
     if case is None:
         return packed(gallery()).content
     if part == "export":

@@ -8,11 +8,13 @@ from pydantic import BaseModel, Field
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _, languages
 from cranktrain.paths import parts_of
-from cranktrain.web.asked import Case, PageQuestion, Part, SentMachine, SweepQuestion
+from cranktrain.web.asked import Case, ClickedPart, PageQuestion, Part, SentMachine, SweepQuestion
 
 _MOST_SETTINGS, _LONGEST, _MOST_FILES = 100, 500, 20
 _LONGEST_TEXT = 64_000
 """Characters of a machine file."""
+_FARTHEST, _MOST_DEGREES, _MOST_CLICKS = 1e4, 1e6, 10
+"""Of places that are clicked [m], and of crank angles."""
 
 _FILE_KEY = "file"
 """Of tables of a machine file that name another."""
@@ -58,6 +60,7 @@ class ChoiceAsked(TypedDict, total=False):
     tab: str
     piston: str
     key: str
+    part_added: ClickedPart | None
 
 
 class CaseAsked(MachineAsked):
@@ -96,17 +99,48 @@ class PageAsked(ThrowAsked):
         return {"piston": self.piston, "tab": self.tab}
 
 
+_Metres = Annotated[float, Field(ge=-_FARTHEST, le=_FARTHEST, allow_inf_nan=False)]
+
+
+class ClickAsked(BaseModel):
+    """A click on the drawing: what it took, and where."""
+
+    name: Annotated[_Name, Field(description="Of the pin or link that it took; empty for the ground.")] = ""
+    right: Annotated[_Metres, Field(description="From the main shaft to the right, m.")]
+    up: Annotated[_Metres, Field(description="From the main shaft upward, m.")]
+
+
+class AdditionAsked(BaseModel):
+    """A part that is to be added to a mechanism by clicks, of those that `/api/handles` names."""
+
+    mechanism: Annotated[_Name, Field(description="To which it is added, by its name.")]
+    name: Annotated[_Name, Field(description="Of the part.", examples=["pair"])]
+    angle: Annotated[
+        float, Field(ge=-_MOST_DEGREES, le=_MOST_DEGREES, allow_inf_nan=False, description="Crank angle shown, °.")
+    ]
+    clicks: Annotated[list[ClickAsked], Field(max_length=_MOST_CLICKS)]
+
+    @property
+    def part(self) -> ClickedPart:
+        """The part as it is handed on."""
+        clicks = tuple((one.name, one.right, one.up) for one in self.clicks)
+        return ClickedPart(self.mechanism, self.name, self.angle, clicks)
+
+
 class FileAsked(CaseAsked):
-    """A machine file, and whether another table is to stand in it."""
+    """A machine file, and whether another table or part is to stand in it."""
 
     key: Annotated[
         _Name, Field(description="Of one of the tables that are offered to the machine; none unless given.")
     ] = ""
+    addition: Annotated[
+        AdditionAsked | None, Field(description="A part that is added by clicks; none unless given.")
+    ] = None
 
     @property
     def choice(self) -> ChoiceAsked:
         """What of the machine is asked for."""
-        return {"key": self.key}
+        return {"key": self.key, "part_added": None if self.addition is None else self.addition.part}
 
 
 class ExportAsked(CaseAsked):

@@ -28,6 +28,15 @@ RIGHT = (
     },
     {"text": TEXT, "files": {"a.csv": "0;1\n90;2"}, "settings": ["cylinder.bore=81 mm"], "tab": "Motion"},
     {"text": TEXT + '[load.x]\non = "main"\nfile = "a.csv"\n', "files": {"a.csv": "deg;N m\n0;1\n90;2\n"}},
+    {
+        "machine": "toggle_press",
+        "addition": {
+            "mechanism": "1",
+            "name": "pin",
+            "angle": 60.0,
+            "clicks": [{"name": "upper", "right": 0.4, "up": 0.1}],
+        },
+    },
     {"text": TEXT, "vary": {"mechanism.rod_length": "130..160 mm:4"}, "wanted": ["stroke"]},
 )
 ODD = (

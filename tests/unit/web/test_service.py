@@ -3,6 +3,7 @@
 import json
 import os
 
+import numpy as np
 import pytest
 from fastapi.testclient import TestClient
 from tests.packed_answers import opened
@@ -83,6 +84,74 @@ def test_pins_that_may_be_moved_say_which_numbers_that_changes(client):
     assert data["open"] == []
     short, _numbers = opened(client.post("/api/handles", json=asked("3d12", "bank.L.mechanism.rod_length=80 mm")))
     assert "close" in short["open"][0]
+
+
+def clicked(name="pair", mechanism="1", angle=60.0, clicks=(("knee", 0, 0), ("", 0.3, 0.3), ("C", 0, 0))):
+    places = [{"name": pin, "right": right, "up": up} for pin, right, up in clicks]
+    return asked("toggle_press") | {
+        "addition": {"mechanism": mechanism, "name": name, "angle": angle, "clicks": places},
+    }
+
+
+def test_a_part_that_is_clicked_stands_in_the_file_and_is_a_machine(client):
+    data, _numbers = opened(client.post("/api/handles", json=asked("toggle_press")))
+    assert [(one["mechanism"], one["name"]) for one in data["additions"]] == [
+        ("1", "point"), ("1", "pin"), ("1", "pair"), ("1", "slider"),
+    ]  # fmt: skip
+    sent = clicked()
+    sent["settings"] = ["mechanism.crank.main.radius=49 mm"]
+    text = client.post("/api/file", json=sent).text
+    before = client.post("/api/file", json=asked("toggle_press", *sent["settings"])).text
+    # The knee is 320 mm from the crank pin and 250 mm from C, to the right of the line from one to the other.
+    pin, pivot = 0.049 * np.exp(1j * np.pi / 3), 0.4 + 0.25j
+    apart = abs(pivot - pin)
+    corner = np.arccos((0.32**2 + apart**2 - 0.25**2) / (2 * 0.32 * apart))
+    knee = pin + 0.32 * np.exp(1j * (np.angle(pivot - pin) - corner))
+    assert [line for line in text.splitlines() if line not in before.splitlines()] == [
+        f'rod = {{ name = "rod", from = "knee", length = "{1e3 * abs(0.3 + 0.3j - knee):.0f} mm" }}',
+        'rocker = { name = "rocker", from = "C", length = "112 mm" }',
+        'joint = "B"',
+        'side = "left"',
+    ]
+    data, _numbers = opened(client.post("/api/handles", json={"text": text}))
+    assert "B" in [one["pin"] for one in data["handles"]]
+    assert data["open"] == []
+
+
+NAN = float("nan")
+
+
+@pytest.mark.parametrize(
+    "sent",
+    [
+        {"clicks": [("knee", 0, 0), ("", NAN, 0.3), ("C", 0, 0)]},
+        {"clicks": [("knee", 0, 0), ("", 0.3, float("inf")), ("C", 0, 0)]},
+        {"clicks": [("knee", 0, 0), ("", 0.3, 1e9), ("C", 0, 0)]},
+        {"clicks": [("knee", 0, 0), ("", "here", 0.3), ("C", 0, 0)]},
+        {"clicks": [("no_pin", 0, 0), ("", 0.3, 0.3), ("C", 0, 0)]},
+        {"clicks": [("knee", 0, 0)] * 11},
+        {"clicks": []},
+        {"name": "wheel"},
+        {"name": "x" * 600},
+        {"mechanism": "7"},
+        {"mechanism": None},
+        {"angle": NAN},
+        {"angle": 1e12},
+    ],
+    ids=str,
+)
+def test_a_part_that_cannot_be_is_refused(client, sent):
+    answer = client.post("/api/file", content=json.dumps(clicked(**sent)), headers={"Content-Type": "application/json"})
+    assert answer.status_code == 422
+    assert answer.json()[0]["allowed"]
+    assert answer.json()[0]["path"].startswith("addition") or "mechanism" in sent
+
+
+@pytest.mark.parametrize("malformed", [[], "pair", {"name": "pair"}, {"mechanism": "1", "name": "pair", "clicks": {}}])
+def test_a_malformed_part_is_refused(client, malformed):
+    answer = client.post("/api/file", json=asked("toggle_press") | {"addition": malformed})
+    assert answer.status_code == 422
+    assert all(one["path"].startswith("addition") for one in answer.json())
 
 
 def test_the_file_keeps_its_comments(client):

@@ -17,7 +17,7 @@ from cranktrain.mechanisms.articulated_rod.spec import (
     articulated_rod_advice,
     articulated_rod_geometry,
 )
-from cranktrain.mechanisms.handle import Handle
+from cranktrain.mechanisms.by_hand import Handle
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.mechanisms.output import PISTON
 

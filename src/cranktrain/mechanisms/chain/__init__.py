@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from cranktrain.language import N_
+from cranktrain.mechanisms.chain.adding import ADDITIONS
 from cranktrain.mechanisms.chain.composed import fields_of, kind_of_structure
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.gaps import chain_gap
@@ -28,6 +29,7 @@ KIND = Kind(
     stages=(),
     structure_of=structure_of,
     of_structure=lambda structure: kind_of_structure(KIND, fields_of, structure),
+    additions=ADDITIONS,
     **fields_of(_SIMPLEST),
     speed="40 rpm",
     tables=Path(__file__).with_name("starting.toml"),

@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from cranktrain.language import Words, _
+from cranktrain.mechanisms.by_hand import Handle
 from cranktrain.mechanisms.chain.drawing import chain_drawing
 from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
@@ -30,7 +31,6 @@ from cranktrain.mechanisms.chain.steps import (
     YokeStep,
 )
 from cranktrain.mechanisms.chain.through import chain_change_points
-from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import ClosingPart, Geometry, Kind
 from cranktrain.mechanisms.output import PISTON, ROCKER, OutputPart
 from cranktrain.motion import Array

@@ -5,6 +5,7 @@ from functools import cache, partial
 from pathlib import Path
 
 from cranktrain.language import N_
+from cranktrain.mechanisms.by_hand import Handle
 from cranktrain.mechanisms.change_points import ChangePoints, Form
 from cranktrain.mechanisms.crank_rocker.drawing import crank_rocker_drawing
 from cranktrain.mechanisms.crank_rocker.facts import CrankRockers, transmission, transmission_rows
@@ -23,7 +24,6 @@ from cranktrain.mechanisms.crank_rocker.spec import (
     crank_rocker_geometry,
 )
 from cranktrain.mechanisms.crank_rocker.through import apart, crank_rocker_through, in_line
-from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind
 from cranktrain.mechanisms.output import ROCKER
 

@@ -4,11 +4,11 @@ from pathlib import Path
 from typing import cast
 
 from cranktrain.language import N_
+from cranktrain.mechanisms.by_hand import Handle
 from cranktrain.mechanisms.dynamics import Dynamics
 from cranktrain.mechanisms.eccentric.drawing import eccentric_drawing
 from cranktrain.mechanisms.eccentric.kinematics import Eccentric, eccentric, eccentric_gap, eccentric_least_gap
 from cranktrain.mechanisms.eccentric.spec import EccentricSpec, eccentric_advice, eccentric_geometry
-from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.slider_crank.forces import DYNAMICS

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from cranktrain.language import N_
 from cranktrain.linkage import crank_swivel_gap
-from cranktrain.mechanisms.handle import Handle
+from cranktrain.mechanisms.by_hand import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.oscillating_cylinder.drawing import oscillating_cylinder_drawing
 from cranktrain.mechanisms.oscillating_cylinder.forces import DYNAMICS

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from cranktrain.language import N_
-from cranktrain.mechanisms.handle import Handle
+from cranktrain.mechanisms.by_hand import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import PISTON
 from cranktrain.mechanisms.slider_crank.drawing import slider_crank_drawing

@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import Any
 
 from cranktrain.language import N_
+from cranktrain.mechanisms.by_hand import Handle
 from cranktrain.mechanisms.chain.composed import as_chain, kind_of_structure
 from cranktrain.mechanisms.chain.steps import Structure
-from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.stephenson.drawing import stephenson_drawing

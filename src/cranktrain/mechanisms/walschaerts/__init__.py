@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from cranktrain.language import N_
+from cranktrain.mechanisms.by_hand import Handle
 from cranktrain.mechanisms.chain.composed import as_chain
-from cranktrain.mechanisms.handle import Handle
 from cranktrain.mechanisms.kind import Kind, Members
 from cranktrain.mechanisms.output import VALVE
 from cranktrain.mechanisms.walschaerts.kinematics import STRUCTURE, Walschaerts, walschaerts_size

@@ -1,0 +1,331 @@
+"""Parts that are added to a chain by clicks: they lie where it was clicked, at the crank angle that was shown."""
+
+import tomllib
+from math import radians
+
+import numpy as np
+import pytest
+from tests.sentences import NO_DIRECTION, NOWHERE_HERE
+
+import cranktrain as ct
+from cranktrain.errors import InputError
+from cranktrain.io.added_tables import with_part
+from cranktrain.io.machine_file import read_text
+from cranktrain.mechanisms.by_hand import Clicked
+from cranktrain.panels.additions import added_table, drawn_additions
+from cranktrain.panels.handles import drawn_handles
+from cranktrain.plans.placement import first_throw
+
+RADIUS, PIVOT = 0.05, (0.4, 0.25)
+METRES = {"mm": 1e-3, "in": 0.0254, "cm": 1e-2}
+STEPS = {"mm": 1e-3, "in": 0.05 * 0.0254, "cm": 1e-3}
+"""Of typed lengths, in a machine that reaches 0.47 m: some 300 of them. [m]"""
+ANGLES = (0.0, 73.0, 215.0, -40.0)
+LIE = (
+    ("anticlockwise", "-90 deg", "ahead", "mm"),
+    ("clockwise", "33 deg", "ahead", "mm"),
+    ("clockwise", "-90 deg", "astern", "in"),
+    ("anticlockwise", "200 deg", "astern", "cm"),
+)
+
+
+def text_of(rotation="anticlockwise", angle="-90 deg", running="ahead", unit="mm"):
+    """A toggle press, and comments; its crank pin moves the knee between the pivot and the ram."""
+
+    def typed(length):
+        return f'"{length / METRES[unit]:.9g} {unit}"'
+
+    return f"""\
+# mine
+rotation = "{rotation}"  # as I see it
+angle = "{angle}"
+running = "{running}"
+
+[mechanism]
+kind = "chain"
+output = "ram"
+
+[mechanism.fixed]
+C = [{typed(PIVOT[0])}, {typed(PIVOT[1])}] # the frame
+
+[mechanism.crank.main]
+radius = {typed(RADIUS)}
+
+[[mechanism.part]]
+type = "pin"
+rod = {{ name = "pitman", from = "main.pin", length = {typed(0.32)} }}
+rocker = {{ name = "upper", from = "C", length = {typed(0.25)} }}
+joint = "knee"
+side = "right" # or the other way
+
+[[mechanism.part]]
+type = "slide"
+rod = {{ name = "lower", from = "knee", length = {typed(0.25)} }}
+slider = "ram"
+guide = {{ through = "C", direction = "-90 deg" }} # down
+
+# at last
+[shaft.main]
+speed = "40 rpm"
+"""
+
+
+class Lying:
+    """How the axes of the file lie in the drawing, from the machine's rotation and angle alone."""
+
+    def __init__(self, rotation, angle, running, unit):
+        normal = 1.0 if rotation == "clockwise" else -1.0
+        direction = normal * radians(float(angle.split()[0]))
+        self.x = np.array([np.sin(direction), np.cos(direction)])
+        self.y = normal * np.array([np.cos(direction), -np.sin(direction)])
+        self.turning = -1.0 if running == "astern" else 1.0
+        self.unit, self.step = METRES[unit], STEPS[unit]
+
+    def at(self, x, y):
+        return x * self.x + y * self.y
+
+    def crank(self, degrees):
+        phi = self.turning * radians(degrees)
+        return self.at(RADIUS * np.cos(phi), RADIUS * np.sin(phi))
+
+
+def added(text, name, angle, *clicks):
+    machine = read_text(text, {}, partial=True).machine
+    return with_part(text, *added_table(machine, "1", name, angle, [Clicked(own, *at) for own, at in clicks]))
+
+
+def pins_of(text, angle):
+    machine = read_text(text, {}, partial=True).machine
+    return {name: pin[:, 0] for name, pin in ct.drawing(machine, [angle]).mechanisms[0].pins.items()}
+
+
+def length_of(text):
+    number, unit = text.split()
+    return float(number) * METRES[unit]
+
+
+def away(one, other):
+    return float(np.hypot(*(np.asarray(one) - np.asarray(other))))
+
+
+@pytest.mark.parametrize("lie", LIE)
+@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize("place", [(0.3, 0.4), (0.3, -0.1), (0.1, 0.2)])
+def test_two_links_meet_where_it_was_clicked(lie, angle, place):
+    """Links of the distances between pins, to half a step; their joint is on the side of the click."""
+    text, lying = text_of(*lie), Lying(*lie)
+    at = lying.at(*place)
+    after = added(text, "pair", angle, ("main.pin", (9.0, 9.0)), ("", at), ("C", (0.0, 0.0)))
+    part = tomllib.loads(after)["mechanism"]["part"][-1]
+    rod, rocker = away(at, lying.crank(angle)), away(at, lying.at(*PIVOT))
+    assert (part["rod"]["name"], part["rod"]["from"], part["rocker"]["from"]) == ("rod", "main.pin", "C")
+    assert length_of(part["rod"]["length"]) == pytest.approx(rod, abs=0.5001 * lying.step)
+    assert length_of(part["rocker"]["length"]) == pytest.approx(rocker, abs=0.5001 * lying.step)
+    # Half a step of either length moves the joint by that, over the sine of the angle between the links.
+    one, other = at - lying.crank(angle), at - lying.at(*PIVOT)
+    sine = abs(one[0] * other[1] - one[1] * other[0]) / (rod * rocker)
+    assert away(pins_of(after, angle)["B"], at) < 1.5 * lying.step / sine
+
+
+@pytest.mark.parametrize("lie", LIE)
+@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize("degrees", [90.0, 37.4, -116.0, 178.0])
+def test_a_slider_s_pin_is_where_it_was_clicked_and_its_guide_runs_as_it_was(lie, angle, degrees):
+    text, lying = text_of(*lie), Lying(*lie)
+    at, way = lying.at(0.7, 0.1), lying.at(np.cos(np.radians(degrees)), np.sin(np.radians(degrees)))
+    knee = pins_of(text, angle)["knee"]
+    after = added(text, "slider", angle, ("knee", (0.0, 0.0)), ("", at), ("", at + 0.2 * way))
+    part = tomllib.loads(after)["mechanism"]["part"][-1]
+    assert float(part["guide"]["direction"].split()[0]) == {37.4: 37.0, 178.0: 180.0}.get(degrees, degrees)
+    assert part["side"] == ("ahead" if way @ (at - knee) > 0.0 else "behind")
+    along = abs(way @ (at - knee)) / away(at, knee)
+    # The guide's direction is rounded about the slider's pin, its offset and the rod's length are to half a step.
+    assert away(pins_of(after, angle)["slider.pin"], at) < 2.0 * lying.step / along
+    offset = length_of(part["guide"]["offset"])
+    own = np.radians(float(part["guide"]["direction"].split()[0]))
+    across = np.cos(own) * lying.y - np.sin(own) * lying.x
+    through = {"O": np.zeros(2), "C": lying.at(*PIVOT)}
+    expected = {name: across @ (at - fixed) for name, fixed in through.items()}
+    assert offset == pytest.approx(expected[part["guide"]["through"]], abs=0.5001 * lying.step)
+    assert abs(expected[part["guide"]["through"]]) == min(map(abs, expected.values()))
+
+
+def test_a_guide_that_nearly_goes_through_a_fixed_point_goes_through_it():
+    """Clicks miss by a pixel or two."""
+    lying = Lying(*LIE[0])
+    for beside, offset in ((0.003, "0 mm"), (0.006, "-6 mm")):
+        after = added(
+            text_of(), "slider", 10.0, ("main.pin", (0, 0)), ("", lying.at(0.3, -beside)), ("", lying.at(0.5, 0))
+        )
+        guide = tomllib.loads(after)["mechanism"]["part"][-1]["guide"]
+        assert guide == {"through": "O", "direction": "0 deg", "offset": offset}
+
+
+@pytest.mark.parametrize("lie", LIE)
+@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize(("name", "pin"), [("point", "G"), ("pin", "P")])
+def test_a_point_on_a_link_is_where_it_was_clicked(lie, angle, name, pin):
+    """At the middle of the upper link, and 30 mm beside it; the same distances from its pins at another angle."""
+    text, lying = text_of(*lie), Lying(*lie)
+    start, end = lying.at(*PIVOT), pins_of(text, angle)["knee"]
+    along = (end - start) / away(start, end)
+    for beside in (0.0, 0.03):
+        at = (start + end) / 2 + beside * np.array([-along[1], along[0]])
+        after = added(text, name, angle, ("upper", at))
+        assert away(pins_of(after, angle)[pin], at) < 1.001 * lying.step
+        later = pins_of(after, angle + 100.0)
+        assert away(later[pin], later["C"]) == pytest.approx(np.hypot(0.125, beside), abs=1.001 * lying.step)
+
+
+@pytest.mark.parametrize("lie", LIE)
+def test_a_fixed_point_is_where_it_was_clicked(lie):
+    text, lying = text_of(*lie), Lying(*lie)
+    after = added(text, "pin", 30.0, ("", lying.at(0.2, -0.3)))
+    typed = [length_of(one) for one in tomllib.loads(after)["mechanism"]["fixed"]["D"]]
+    assert typed == pytest.approx([0.2, -0.3], abs=0.5001 * lying.step)
+    hung = added(after, "pair", 30.0, ("knee", (0, 0)), ("", lying.at(0.1, -0.1)), ("D", (0, 0)))
+    np.testing.assert_allclose(pins_of(hung, 200.0)["D"], lying.at(0.2, -0.3), atol=0.75 * lying.step)
+
+
+ALL = (
+    ("point", ("lower", (0.4, -0.1))),
+    ("pin", ("upper", (0.4, 0.1))),
+    ("pin", ("", (0.2, -0.3))),
+    ("pair", ("knee", (0, 0)), ("", (0.3, 0.3)), ("C", (0, 0))),
+    ("slider", ("knee", (0, 0)), ("", (0.7, 0.0)), ("", (0.9, 0.0))),
+)
+
+
+@pytest.mark.parametrize("addition", ALL, ids=[f"{name} {clicks[0][0]}" for name, *clicks in ALL])
+def test_all_else_of_the_file_stays(addition):
+    """Every line in its place, comments too; parts stand together; twice is another of another name."""
+    text = text_of()
+    once = added(text, addition[0], 60.0, *addition[1:])
+    twice = added(once, addition[0], 60.0, *addition[1:])
+    lines = iter(twice.splitlines())
+    assert all(any(line == other for other in lines) for line in text.splitlines())
+    assert text.splitlines()[-3:] == (once if addition[0] != "point" else text).splitlines()[-3:]
+    before, after = tomllib.loads(text)["mechanism"], tomllib.loads(twice)["mechanism"]
+    assert (after["output"], after["crank"]) == (before["output"], before["crank"])
+    assert after["part"][: len(before["part"])] == before["part"]
+    new = len(pins_of(twice, 60.0)) - len(pins_of(text, 60.0))
+    assert new == 2
+    assert read_text(twice, {}).machine.name == read_text(text, {}).machine.name
+
+
+def test_new_numbers_are_moved_by_hand():
+    text = text_of()
+    for name, *clicks in ALL:
+        text = added(text, name, 60.0, *clicks)
+    machine = read_text(text, {}).machine
+    assert ct.run(machine).stroke[0] == pytest.approx(ct.run(read_text(text_of(), {}).machine).stroke[0], rel=1e-12)
+    paths = [path for path, _value in leaves(tomllib.loads(text))]
+    handled = {
+        path
+        for handle in drawn_handles(machine, first_throw(machine), paths)
+        for number in handle.numbers
+        for path in number.paths
+    }
+    assert {
+        "mechanism.points.G.along", "mechanism.points.G.across", "mechanism.part[2].along", "mechanism.fixed.D[1]",
+        "mechanism.part[3].rod.length", "mechanism.part[3].rocker.length", "mechanism.part[4].rod.length",
+        "mechanism.part[4].guide.offset",
+    } <= handled  # fmt: skip
+
+
+def leaves(table, above=""):
+    items = table.items() if isinstance(table, dict) else enumerate(table)
+    for key, value in items:
+        path = f"{above}[{key}]" if isinstance(key, int) else f"{above}.{key}".removeprefix(".")
+        if isinstance(value, dict | list):
+            yield from leaves(value, path)
+        else:
+            yield path, value
+
+
+COUPLED = """\
+[mechanism]
+kind = "chain"
+output = "slider"
+fixed.D = ["300 mm", "0 mm"]
+crank.main.radius = "50 mm"
+part = [
+  { type = "slide", rod = { name = "rod", from = "main.pin", length = "200 mm" }, slider = "slider", guide = ALONG },
+]
+""".replace("ALONG", '{ through = "O", direction = "0 deg" }')
+
+
+@pytest.mark.parametrize("is_crossed", [False, True])
+@pytest.mark.parametrize("degrees", [50.0, 130.0, 290.0])
+def test_of_a_parallelogram_s_lengths_it_is_the_one_that_was_clicked(is_crossed, degrees):
+    """The crossed one's joint mirrors the other's in the line from the crank pin to the pivot."""
+    crank = 0.05 * np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
+    pivot = np.array([0.3, 0.0])
+    joint = pivot + crank
+    if is_crossed:
+        along = (pivot - crank) / away(pivot, crank)
+        joint = crank + 2 * along * (along @ (joint - crank)) - (joint - crank)
+    text = 'rotation = "anticlockwise"\nangle = "-90 deg"\n' + COUPLED
+    after = added(text, "pair", degrees, ("main.pin", (0, 0)), ("", joint), ("D", (0, 0)))
+    (_slide, part) = tomllib.loads(after)["mechanism"]["part"]
+    assert (part["rod"]["length"], part["rocker"]["length"]) == ("300 mm", "50 mm")
+    assert part["rod"]["name"] == "rod2"
+    assert part.get("crossed", False) is is_crossed
+    np.testing.assert_allclose(pins_of(after, degrees)["B"], joint, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "clicks", "said"),
+    [
+        ("pair", [("E", (0, 0)), ("", (0.3, 0.4)), ("C", (0, 0))], "must be one of: O, C, main.pin, knee, ram.pin"),
+        ("pair", [("upper", (0, 0)), ("", (0.3, 0.4)), ("C", (0, 0))], "must be one of: O, C"),
+        ("pair", [("", (0, 0)), ("", (0.3, 0.4)), ("C", (0, 0))], "must be one of: O, C"),
+        ("pair", [("C", (0, 0)), ("", (0.3, 0.4)), ("C", (0, 0))], "take another pin"),
+        ("pair", [("C", (0, 0))], "must be 3 clicks"),
+        ("point", [("knee", (0, 0))], "must be one of: pitman, upper, lower"),
+        ("point", [("", (0, 0))], "must be one of: pitman, upper, lower"),
+        ("pin", [("ram", (0, 0))], "must be one of: pitman, upper, lower"),
+        ("slider", [("knee", (0, 0)), ("", (0.3, 0.4)), ("", (0.301, 0.4))], NO_DIRECTION),
+        ("wheel", [], "must be one of: point, pin, pair, slider"),
+    ],
+)
+def test_what_no_part_can_be_made_of_is_refused(name, clicks, said):
+    with pytest.raises(InputError, match="addition") as caught:
+        added(text_of(), name, 0.0, *clicks)
+    assert said in str(caught.value)
+
+
+def test_where_links_cannot_close_nothing_hangs_on_them():
+    """The pitman is too short beyond some angle: its knee is nowhere there, and its links are not either."""
+    text = text_of().replace('"320 mm"', '"260 mm"')
+    assert np.isnan(pins_of(text, 180.0)["knee"]).all()
+    for name, *clicks in (("point", ("lower", (0.4, 0.0))), ("slider", *ALL[-1][1:])):
+        with pytest.raises(InputError, match=NOWHERE_HERE):
+            added(text, name, 180.0, *clicks)
+
+
+def test_links_that_nothing_drives_are_refused_by_the_machine():
+    text = added(
+        added(text_of(), "pin", 0.0, ("", (0.1, 0.4))), "pair", 0.0, ("C", (0, 0)), ("", (0.3, 0.5)), ("D", (0, 0))
+    )
+    with pytest.raises(InputError, match=r"mechanism\.part\[2\].*is not driven"):
+        read_text(text, {}, partial=True)
+
+
+def test_a_click_takes_what_is_drawn():
+    machine = read_text(text_of(), {}).machine
+    additions = {one.name: one for one in drawn_additions(machine, first_throw(machine))}
+    assert list(additions) == ["point", "pin", "pair", "slider"]
+    assert {one.mechanism for one in additions.values()} == {"1"}
+    (where,) = additions["pin"].clicks
+    assert [(one.name, one.pins) for one in where.targets] == [
+        ("pitman", ("main.pin", "knee")), ("upper", ("C", "knee")), ("lower", ("knee", "ram.pin")), ("", ()),
+    ]  # fmt: skip
+    assert [str(one.words) for one in where.targets] == [
+        "pin on pitman", "pin on upper", "pin on lower", "fixed point",
+    ]  # fmt: skip
+    start, joint, _end = additions["pair"].clicks
+    assert [one.pins for one in start.targets] == [(name,) for name in ("O", "C", "main.pin", "knee", "ram.pin")]
+    assert [one.pins for one in joint.targets] == [()]
+    other = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "130 mm"})
+    assert drawn_additions(other, first_throw(other)) == ()
