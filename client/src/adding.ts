@@ -97,22 +97,28 @@ export class Adding {
   /** What the next click would take, likewise. */
   private aimed: Taken<DrawnTarget> | null = null;
   private isBusy = false;
+  private isPressed = false;
 
   constructor(around: Around, changed: () => void) {
     this.around = around;
     this.changed = changed;
     const { stage } = around;
-    stage.addEventListener("pointerdown", (event) => { if (this.begun) event.stopPropagation(); }, { capture: true });
+    stage.addEventListener("pointerdown", (event) => {
+      if (!this.begun) return;
+      event.stopPropagation();
+      this.isPressed = true;
+    }, { capture: true });
     for (const move of ["pointerdown", "pointermove"] as const) stage.addEventListener(move, (event) => { this.aim(event.clientX, event.clientY); }, { capture: true });
-    stage.addEventListener("click", (event) => {
+    stage.addEventListener("pointercancel", () => { this.isPressed = false; });
+    // A finger aims while it is down.
+    stage.addEventListener("pointerup", (event) => {
+      if (!this.isPressed) return;
+      this.isPressed = false;
       this.aim(event.clientX, event.clientY);
       void this.take(this.aimed);
     });
     this.cross.addEventListener("keydown", (event) => { this.move(event); });
-    this.cross.addEventListener("click", (event) => {
-      event.stopPropagation();
-      void this.take(this.aimed);
-    });
+    this.cross.addEventListener("click", () => { void this.take(this.aimed); });
     document.addEventListener("keydown", (event) => { if (event.key === "Escape" && this.begun) this.end(); });
   }
 

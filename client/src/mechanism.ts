@@ -37,6 +37,9 @@ const LEFT_OF = 0.75;
 
 const LESS = 1e-9;
 
+/** Where in the cycle it is seen whether two things are one, in parts of it. */
+const SAMPLES: readonly number[] = [0.1, 0.37, 0.71];
+
 /** What moves: shown at the crank angles of the drawing, or between them. */
 type Moving = (angle: number) => void;
 
@@ -90,6 +93,7 @@ export class Mechanism {
     for (const one of drawing.mechanisms) {
       this.path(one, paths);
       if (one.output) this.output(one, one.output, still, bodies);
+      for (const slider of this.otherSliders(one)) this.output(one, slider, still, bodies);
       this.standing(one, standing);
       this.blocks(one, bodies);
       this.joints(one, pins);
@@ -351,7 +355,7 @@ export class Mechanism {
   /** Links, each once: mechanisms on one rod have it in common, and it is that of most pins, of whom nothing hangs. */
   private ownLinks(): { of: MechanismDrawing; link: LinkDrawing }[] {
     const found = new Map<string, { of: MechanismDrawing; link: LinkDrawing }>();
-    const angles = [0.1, 0.37, 0.71].map((part) => part * this.cycle);
+    const angles = SAMPLES.map((part) => part * this.cycle);
     for (const of of this.drawing.mechanisms) {
       for (const link of of.links) {
         const ends = link.pins.slice(0, 2).flatMap((name) => angles.map((angle) => this.pin(of, name, angle)));
@@ -462,6 +466,28 @@ export class Mechanism {
         place(shape, middle, Number.isFinite(x) && Math.hypot(x, y) > LESS ? { x: middle.x + x, y: middle.y + y } : { x: middle.x + 1, y: middle.y });
       });
     }
+  }
+
+  /** What slides in guides beside the output, as blocks, but for what is the output of another mechanism. */
+  private otherSliders(of: MechanismDrawing): OutputDrawing[] {
+    const outputs = this.drawing.mechanisms.flatMap((one) => (one.output ? [{ one, pin: one.output.pin }] : []));
+    const angles = SAMPLES.map((part) => part * this.cycle);
+    const isOutput = (pin: string): boolean =>
+      outputs.some((other) => (other.one === of && other.pin === pin) || angles.every((angle) => {
+        const [own, its] = [this.pin(of, pin, angle), this.pin(other.one, other.pin, angle)];
+        return !(Math.hypot(own.x - its.x, own.y - its.y) >= 0.1);
+      }));
+    return of.guides.filter((guide) => !isOutput(guide.pin)).map(({ pin, direction, foot }) => {
+      const [cos, sin] = [Math.cos(number(direction)), Math.sin(number(direction))];
+      const places = of.pins[pin];
+      const x = places ? row(places, 0) : new Float32Array();
+      const y = places ? row(places, 1) : new Float32Array();
+      const travel = extent(x.map((one, place) => (one - at(foot, 0)) * cos + ((y[place] ?? NaN) - at(foot, 1)) * sin));
+      return {
+        is: "OutputDrawing", pin, foot, along: { values: Float32Array.of(cos, sin), shape: [2] }, travel: { values: Float32Array.of(...travel), shape: [2] },
+        bore: null, is_valve: false, is_far: false, port: null, crosshead: null, ram: null,
+      };
+    });
   }
 
   /** The slider with its cylinder or guides, in axes along its line: the foot at 0. */

@@ -56,13 +56,13 @@ def text_of(page):
 
 def middle(page, pin):
     """Where a pin is drawn. [px]"""
-    dot = page.locator(f".mechanism :is(circle, .standing):has(> title:text-is('{pin}'))").first.bounding_box()
+    dot = page.locator(f".stage :is(circle, .standing):has(> title:text-is('{pin}'))").first.bounding_box()
     return np.array([dot["x"] + dot["width"] / 2, dot["y"] + dot["height"] / 2])
 
 
 def standing(page, pin):
     """Where a fixed pin is drawn: its bracket hangs below it. [px]"""
-    dot = page.locator(f".mechanism .standing:has(> title:text-is('{pin}')) circle").first.bounding_box()
+    dot = page.locator(f".stage .standing:has(> title:text-is('{pin}')) circle").first.bounding_box()
     return np.array([dot["x"] + dot["width"] / 2, dot["y"] + dot["height"] / 2])
 
 
@@ -95,10 +95,10 @@ def test_parts_are_added_where_it_is_clicked(opened, name):
     at = standing(page, fixed) + BESIDE
     page.mouse.move(*at)
     assert page.locator(".stage .moved").inner_text() == "fixed point"
-    assert page.locator(".mechanism .aimed.link").count() == 0
+    assert page.locator(".stage .aimed.link").count() == 0
     page.mouse.move(*((2 * standing(page, fixed) + middle(page, joint)) / 3))
     assert page.locator(".stage .moved").inner_text() == f"pin on {link}"
-    assert page.locator(".mechanism .aimed.link").count() == 1
+    assert page.locator(".stage .aimed.link").count() == 1
     page.mouse.click(*((2 * standing(page, fixed) + middle(page, joint)) / 3))
     ended(page)
     ends = standing(page, fixed), middle(page, joint)
@@ -122,6 +122,8 @@ def test_parts_are_added_where_it_is_clicked(opened, name):
     clicked(page, at)
     clicked(page, at - np.array([0.0, 60.0]))
     ended(page)
+
+    assert page.locator(".stage .cylinder").count() == 2, "beside the output another slider runs in its guide"
 
     before, after = tomllib.loads(text_before(name))["mechanism"], tomllib.loads(text_of(page))["mechanism"]
     assert after["output"] == before["output"]
@@ -205,10 +207,14 @@ def test_escape_ends_it_and_what_cannot_close_is_said(opened, axe):
     page.keyboard.press("Escape")
     ended(page)
     assert "Two links" in focused(page)
-    assert page.locator(".mechanism .marks > *").count() == 0
+    assert page.locator(".stage .marks > *").count() == 0
 
     begun(page, "Two links")
     assert faults(page) == []
+    page.set_viewport_size({"width": 390, "height": 844})
+    assert faults(page) == []
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
+    page.set_viewport_size({"width": 1440, "height": 1000})
     clicked(page, middle(page, "main.pin"))
     clicked(page, (middle(page, "main.pin") + standing(page, "C")) / 2 + np.array([3.0, 3.0]))
     clicked(page, standing(page, "C"))

@@ -46,7 +46,8 @@ def with_tables(text: str, path: str, tables: Sequence[Mapping[str, str]], taken
     end = _end_of_items(source, found, place)
     before, behind = source[:end].decode(), source[end:].decode()
     line_end = "" if before.endswith("\n") else newline
-    return before + line_end + newline.join(lines) + newline + behind
+    gap = newline if behind.partition("\n")[0].strip() else ""
+    return before + line_end + newline.join(lines) + newline + gap + behind
 
 
 def with_part(text: str, home: str, added: AddedTable) -> str:

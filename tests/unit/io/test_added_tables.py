@@ -33,6 +33,40 @@ def test_added(name):
     assert after == before
 
 
+def test_tables_with_heads_stand_together():
+    """Behind what the last of them has in tables of its own, and before what is said of the next table."""
+    text = """\
+[[balance.weight]]
+mass = "1 kg"
+[balance.weight.place]
+throw = 3 # at last
+# of the gas
+[gas]
+kind = "otto"
+"""
+    assert (
+        with_tables(text, "balance.weight", NEW)
+        == """\
+[[balance.weight]]
+mass = "1 kg"
+[balance.weight.place]
+throw = 3 # at last
+
+[[balance.weight]]
+mass = "2 kg"
+throw = 1
+
+[[balance.weight]]
+mass = "3 kg"
+throw = 2
+
+# of the gas
+[gas]
+kind = "otto"
+"""
+    )
+
+
 @pytest.mark.parametrize("name", [name for name, (_text, there) in TEXTS.items() if there])
 def test_in_place_of_what_is_there(name):
     text, _there = TEXTS[name]

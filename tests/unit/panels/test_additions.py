@@ -10,6 +10,7 @@ from tests.sentences import NO_DIRECTION, NOWHERE_HERE
 import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.io.added_tables import with_part
+from cranktrain.io.examples import example_text
 from cranktrain.io.machine_file import read_text
 from cranktrain.mechanisms.by_hand import Clicked
 from cranktrain.panels.additions import added_table, drawn_additions
@@ -68,6 +69,18 @@ guide = {{ through = "C", direction = "-90 deg" }} # down
 [shaft.main]
 speed = "40 rpm"
 """
+
+
+COUPLED = """\
+[mechanism]
+kind = "chain"
+output = "slider"
+fixed.D = ["300 mm", "0 mm"]
+crank.main.radius = "50 mm"
+part = [
+  { type = "slide", rod = { name = "rod", from = "main.pin", length = "200 mm" }, slider = "slider", guide = ALONG },
+]
+""".replace("ALONG", '{ through = "O", direction = "0 deg" }')
 
 
 class Lying:
@@ -213,6 +226,47 @@ def test_all_else_of_the_file_stays(addition):
     assert read_text(twice, {}).machine.name == read_text(text, {}).machine.name
 
 
+def test_a_pin_on_a_lever_that_swings_about_a_pivot():
+    """The shaper's: halfway from the pivot to its end, 250 mm of 500."""
+    text = example_text("shaper")
+    pins = pins_of(text, 40.0)
+    at = (pins["C"] + pins["D"]) / 2
+    after = added(text, "pin", 40.0, ("lever", at))
+    part = tomllib.loads(after)["mechanism"]["part"][-1]
+    assert (part["along"], part["across"]) == ("250 mm", "0 mm")
+    later = pins_of(after, 200.0)
+    np.testing.assert_allclose(later["P"], (later["C"] + later["D"]) / 2, atol=1e-9)
+
+
+FILES = {
+    "keys with dots": COUPLED,
+    "no fixed point": COUPLED.replace('fixed.D = ["300 mm", "0 mm"]\n', ""),
+    "in a bank": COUPLED.replace("[mechanism]", "[bank.A.mechanism]"),
+    "lines ended by two": COUPLED.replace("\n", "\r\n"),
+    "all in a line": "mechanism = { "
+    + ", ".join(COUPLED.replace("[\n  ", "[").replace(",\n]", "]").splitlines()[1:])
+    + " }\n",
+}
+
+
+@pytest.mark.parametrize("layout", FILES)
+def test_however_the_file_is_laid_out(layout):
+    text = FILES[layout]
+    machine = read_text(text, {}, partial=True).machine
+    for name, *clicks in (
+        ("pin", ("", (0.1, 0.2))),
+        ("pin", ("rod", (0.1, 0.0))),
+        ("point", ("rod", (0.1, 0.0))),
+        ("pair", ("main.pin", (0.0, 0.0)), ("", (0.1, 0.2)), ("slider.pin", (0.0, 0.0))),
+    ):
+        text = added(text, name, 60.0, *clicks)
+    before, after = machine.places[0].spec, read_text(text, {}, partial=True).machine.places[0].spec
+    assert after.part[0] == before.part[0]
+    assert [part.type for part in after.part] == ["slide", "point", "pin"]
+    assert len(after.fixed) == len(before.fixed) + 1
+    assert list(after.points) == ["G"]
+
+
 def test_new_numbers_are_moved_by_hand():
     text = text_of()
     for name, *clicks in ALL:
@@ -241,18 +295,6 @@ def leaves(table, above=""):
             yield from leaves(value, path)
         else:
             yield path, value
-
-
-COUPLED = """\
-[mechanism]
-kind = "chain"
-output = "slider"
-fixed.D = ["300 mm", "0 mm"]
-crank.main.radius = "50 mm"
-part = [
-  { type = "slide", rod = { name = "rod", from = "main.pin", length = "200 mm" }, slider = "slider", guide = ALONG },
-]
-""".replace("ALONG", '{ through = "O", direction = "0 deg" }')
 
 
 @pytest.mark.parametrize("is_crossed", [False, True])
