@@ -21,7 +21,7 @@ const LETTERS = 11;
 /** Heights of a panel in a stack, the last of them as high as lets all of it be seen at once. */
 const STACKED = [96, 132] as const;
 /** What stands over and under a stack; and over each of its panels. */
-const AROUND = 330;
+const AROUND = 370;
 const HEAD = 28;
 const ALONE = 270;
 const LAST = 30;

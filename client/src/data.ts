@@ -41,6 +41,7 @@ export interface PageTab {
 
 export interface TabContent {
   readonly is: "TabContent";
+  readonly sentence: string;
   readonly answer: WrittenGroup;
   readonly sheets: readonly (PageSheet)[];
   readonly beside: PageTable | null;

@@ -61,7 +61,8 @@ export class MachinePage {
   private readonly pistons = html("select", { class: "pistons" });
   private readonly members = new Members();
   private readonly leftOut = html("p", { class: "note" });
-  private readonly answers = html("div", { class: "answers", "aria-live": "polite" });
+  private readonly answers = html("div", { class: "answers" });
+  private readonly sentence = html("p", { class: "sentence", "aria-live": "polite" });
   private readonly checked = html("div", {});
   private readonly toMind = html("div", {});
   private readonly differ = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
@@ -76,6 +77,7 @@ export class MachinePage {
   private passing: Passing | null = null;
   /** Time that the address asked for. [s] */
   private asked = NaN;
+  private said = "";
   private page: ShownMachine;
   private own: readonly OwnTab[];
   private readonly ownPanel = html("div", { class: "sheets", role: "tabpanel", hidden: "" });
@@ -112,12 +114,12 @@ export class MachinePage {
     const right = html("section", { class: "right" }, this.toMind, this.panel, this.ownPanel);
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.pistons, this.vectors.element, this.ghosts, this.handles.button), this.handles.adding.element, this.controls.keys, this.leftOut, this.members.element),
-      html("section", { class: "left" }, this.answers, this.checked),
+      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.pistons, this.vectors.element, this.ghosts, this.handles.button), this.handles.adding.element, this.controls.keys, this.leftOut),
+      html("section", { class: "left" }, this.answers, this.members.element, this.checked),
       right,
     );
     this.head = html("header", { class: "head" }, this.title, this.made);
-    into.replaceChildren(this.head, this.tabs, this.columns);
+    into.replaceChildren(this.head, this.tabs, this.sentence, this.columns);
     dragged(this.stage, () => this.mechanism, () => this.cursor);
     this.ghosts.addEventListener("click", () => { this.haunt(true); });
     document.addEventListener("keydown", (event) => { pressed(event, this.cursor, { KeyG: () => { this.haunt(true); }, KeyE: () => { this.handles.toggle(); } }); });
@@ -222,6 +224,7 @@ export class MachinePage {
     this.keep(name);
     this.panel.hidden = own !== null;
     this.ownPanel.hidden = own === null;
+    this.sentence.hidden = own !== null;
     if (own) {
       if (this.ownPanel.firstChild !== own.element) this.ownPanel.replaceChildren(own.element);
       own.fit();
@@ -252,6 +255,8 @@ export class MachinePage {
 
   private show(content: TabContent): void {
     this.panel.classList.remove("computing");
+    if (this.said !== content.sentence) this.sentence.replaceChildren(said(content.sentence));
+    this.said = content.sentence;
     this.answers.replaceChildren(answer(content.answer, this.source?.whence), ...(content.beside ? [table(content.beside)] : []));
     this.differ.hidden = !hasDifferences(content);
     this.sheets.take(content, this.page.words.numbers, this.isOfDifferences);

@@ -56,6 +56,21 @@ def test_a_number_changes_what_is_shown_and_undo_brings_it_back(opened):
     settled(page, "mean piston speed", f"{expected:.2f}")
 
 
+def test_the_sentence_under_the_tabs_goes_along_and_is_said(opened):
+    page = opened("#machine=3d12&phi=0")
+    sentence = page.locator("p.sentence")
+    sentence.get_by_text("Motion: stroke 180.0 mm (L), 186.7 mm (R)").wait_for()
+    assert sentence.get_attribute("aria-live") == "polite"
+    assert page.evaluate("getComputedStyle(document.querySelector('.sentence')).fontSize") == "17px"
+    typed(page, "speed", "1800 rpm")
+    sentence.get_by_text("mean piston speed 10.80 m/s (L), 11.20 m/s (R)").wait_for()
+    page.locator(".tabs button", has_text="Main bearings").click()
+    sentence.get_by_text("Main bearings: on elastic bearings").wait_for()
+    page.locator(".tabs button", has_text="Wear of crank pins").click()
+    page.locator(".tabs button", has_text="Design").click()
+    assert not sentence.is_visible()
+
+
 def test_a_link_gives_the_same_machine_with_the_same_numbers(opened):
     page = opened("#machine=textbook_78x78&phi=30")
     typed(page, "stroke", "80 mm")

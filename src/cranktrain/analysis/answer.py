@@ -13,6 +13,9 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.saying.rows import AnswerLine, Telling
 
+_MOST = 2
+"""Rows that are said in one sentence."""
+
 
 class Answering(Protocol):
     """What an answer is told of: a result."""
@@ -72,6 +75,15 @@ def answer_groups(result: Answering, design: int = 0) -> Iterator[tuple[str, lis
 def rows_under(result: Answering, title: str, design: int = 0) -> list[AnswerLine]:
     """Lines under one title, for one design: of all questions that share it, as far as there is anything to say."""
     return _rows(result, _functions(result).get(title, ()), design)
+
+
+def rows_that_say_most(result: Answering, title: str, rows: Sequence[AnswerLine]) -> list[AnswerLine]:
+    """Give those of the rows under a title that tell of the headlines of its questions; the first where none does."""
+    questions = (question for question in result.machines[0].questions if question.title == title)
+    names = (name for question in questions for name in question.headline)
+    places = (next((place for place, row in enumerate(rows) if name in row.quantities), None) for name in names)
+    chosen = [place for place in dict.fromkeys(places) if place is not None]
+    return [rows[place] for place in chosen[:_MOST]] or list(rows[:1])
 
 
 def _functions(result: Answering) -> dict[str, list[_RowsOf]]:

@@ -25,13 +25,30 @@ def row_words(row: AnswerLine) -> str:
     >>> print(row_words(valued("stroke", [0.18, 0.18, 0.1867], "m", ("1L", "2L", "1R"))))
     stroke: 180.0 mm (L), 186.7 mm (R)
     """
+    return f"{row.name}: {_all_words(row)}".replace(KEPT, " ")
+
+
+def row_sentence(title: Words, rows: Iterable[AnswerLine]) -> str:
+    """Say some rows of a title in one sentence; nothing of none.
+
+    Examples
+    --------
+    >>> from cranktrain.saying.rows import valued
+    >>> rows = valued("stroke", [0.18], "m", ("1",)), valued("speed", [9.0], "m/s", ("1",))
+    >>> print(row_sentence("Motion", rows).replace(KEPT, " "))
+    Motion: stroke 180.0 mm; speed 9.000 m/s
+    """
+    said = "; ".join(_("{name} {words}", name=row.name, words=_all_words(row)) for row in rows)
+    return _("{title}: {rows}", title=title, rows=said) if said else ""
+
+
+def _all_words(row: AnswerLine) -> str:
+    """Say all that a row says behind its name."""
     if not row.values.size:
-        words = filled(row.words)
-    else:
-        found = written(row.values, row.unit)
-        different = dict.fromkeys(found.texts)
-        words = with_values(row, found.whole(*different) if len(different) == 1 else by_name(row, found))
-    return f"{row.name}: {words}".replace(KEPT, " ")
+        return filled(row.words)
+    found = written(row.values, row.unit)
+    different = dict.fromkeys(found.texts)
+    return with_values(row, found.whole(*different) if len(different) == 1 else by_name(row, found))
 
 
 def with_values(row: AnswerLine, values: str) -> str:

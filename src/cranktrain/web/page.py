@@ -10,7 +10,7 @@ from typing import Any, get_type_hints
 import numpy as np
 
 from cranktrain.analysis import Result
-from cranktrain.analysis.answer import answer_titles, rows_under
+from cranktrain.analysis.answer import answer_titles, rows_that_say_most, rows_under
 from cranktrain.analysis.minded import to_mind
 from cranktrain.errors import InputError
 from cranktrain.io.title import headed
@@ -31,6 +31,7 @@ from cranktrain.panels.vectors import VectorsToScale, vectors_as_shown
 from cranktrain.plans.placement import first_throw, place_called, throw_of
 from cranktrain.record import record
 from cranktrain.saying.row_table import written_group
+from cranktrain.saying.row_words import row_sentence
 from cranktrain.web.as_seen import in_bits_seen
 from cranktrain.web.members_table import PageMembers, page_members
 from cranktrain.web.parts import page_curves, page_parts
@@ -251,8 +252,10 @@ def tab_content(result: Result, title: str, saved: Result | None = None, piston:
     for tab in ASKED_TABS:
         if tab.name == title:
             return tab.content(result)
+    rows = rows_under(result, title)
     return TabContent(
-        answer=written_group(_(title), rows_under(result, title)),
+        sentence=row_sentence(_(title), rows_that_say_most(result, title, rows)),
+        answer=written_group(_(title), rows),
         beside=None if saved is None else facts_beside(result, saved, title),
         sheets=tuple(_sheets(result, title, saved, piston)),
         vectors=tuple(map(_vectors_as_seen, _vectors(result, title, piston))),

@@ -15,6 +15,7 @@ from cranktrain.panels.parts import CurveCard, Part, Stack
 from cranktrain.panels.shapes import Curve, Panel
 from cranktrain.panels.sheets.drive.start import event_sorts, start_picture
 from cranktrain.saying.row_table import WrittenGroup, written_group
+from cranktrain.saying.row_words import row_sentence
 from cranktrain.saying.scales import Scale, scale_for
 from cranktrain.study.start import Start, event_texts, quantities_of_start, start
 from cranktrain.web.parts import EventStrip, PageEvent, PageEvents, PagePart, page_parts
@@ -48,9 +49,10 @@ def _content(result: Result) -> TabContent:
     try:
         found = start(result.machines[0])
     except InputError as error:
-        return TabContent(WrittenGroup(str(_(_NAME)), (), ()), (lacking_sheet(error),))
+        return TabContent("", WrittenGroup(str(_(_NAME)), (), ()), (lacking_sheet(error),))
     ((title, rows),) = found.answer_rows()
-    return TabContent(written_group(title, rows), (_sheet(found),), course=_course(found))
+    sentence = row_sentence(title, rows[:1])  # when and why it ends
+    return TabContent(sentence, written_group(title, rows), (_sheet(found),), course=_course(found))
 
 
 START = AskedTab(_NAME, _is_there, _content)

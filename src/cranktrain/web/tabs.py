@@ -79,8 +79,10 @@ class TabContent:
 
     Attributes
     ----------
+    sentence : Words
+        What of its rows says most; none where nothing can be said.
     answer : WrittenGroup
-        Its rows, none where nothing can be said.
+        Its rows.
     sheets : tuple of PageSheet
     beside : PageTable or None
         Its facts beside those of a saved case; None where nothing is beside.
@@ -90,6 +92,7 @@ class TabContent:
         Time that it is over, in which the crank turns; None of what is over the crank angle.
     """
 
+    sentence: Words
     answer: WrittenGroup
     sheets: tuple[PageSheet, ...]
     beside: PageTable | None = None

@@ -7,13 +7,14 @@ import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError
-from cranktrain.language import N_, Listed, _
+from cranktrain.language import N_, Listed, Words, _
 from cranktrain.machine import Machine
 from cranktrain.panels.construction_drawing import construction_drawing
 from cranktrain.panels.parts import Notes, Stack
 from cranktrain.panels.shapes import Curve, Panel
 from cranktrain.panels.textbook_errors import textbook_error_panels
 from cranktrain.plans.placement import first_throw
+from cranktrain.saying.amounts import KEPT
 from cranktrain.saying.percents import percent
 from cranktrain.saying.row_table import WrittenGroup, WrittenRow
 from cranktrain.saying.typesetting import in_type
@@ -42,8 +43,8 @@ def _content(result: Result) -> TabContent:
     try:
         rows, sheets = tuple(_rows(machine, result)), tuple(_sheets(machine, result))
     except InputError as error:
-        return TabContent(WrittenGroup(str(_(_NAME)), (), ()), (lacking_sheet(error),))
-    return TabContent(WrittenGroup(str(_(LARGEST_ERRORS)), _HEADS if rows else (), rows), sheets)
+        return TabContent("", WrittenGroup(str(_(_NAME)), (), ()), (lacking_sheet(error),))
+    return TabContent(_sentence(rows), WrittenGroup(str(_(LARGEST_ERRORS)), _HEADS if rows else (), rows), sheets)
 
 
 TEXTBOOK = AskedTab(_NAME, _is_there, _content)
@@ -55,6 +56,21 @@ def _rows(machine: Machine, result: Result) -> Iterator[WrittenRow]:
     for one in chain.from_iterable(has.errors(page) for has in texts_for(machine).values()):
         words = in_type(str(Listed((one.of, one.words), ": ")))
         yield WrittenRow(one.equations, tuple(in_type(percent(error)) for error in one.errors), "%", words, ())
+
+
+def _sentence(rows: Sequence[WrittenRow]) -> Words:
+    """Say by how much the first form is off; nothing where there is none."""
+    if not rows:
+        return ""
+    form = rows[0]
+    errors = ", ".join(f"{head} {cell}{KEPT}{form.label}" for head, cell in zip(_HEADS, form.cells, strict=True))
+    return _(
+        "{title}: {errors} at most by {equations}, {words}",
+        title=_(_NAME),
+        errors=errors,
+        equations=form.name,
+        words=form.words,
+    )
 
 
 def _sheets(machine: Machine, result: Result) -> Iterator[PageSheet]:

@@ -2,6 +2,7 @@
 
 import gzip
 import json
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -44,6 +45,39 @@ def test_every_row_of_the_terminal_is_on_the_page(name):
     for row, own in zip(shown, rows, strict=True):
         if len(row.cells) == 1:
             assert row_words(own).startswith(f"{row.name}: {row.cells[0]}")
+
+
+def figures(words):
+    """Numbers that stand in words, but for how many members there are beside a named one."""
+    return set(re.findall(r"[−+]?\d+(?:\.\d+)?", re.sub(r" \+\d+\)", ")", str(words))))
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_each_tab_with_rows_begins_with_a_sentence_whose_figures_are_theirs(name):
+    for tab in page(name).tabs:
+        rows = tab.content.answer.rows
+        sentence = str(tab.content.sentence)
+        assert bool(sentence) == bool(rows), tab.name
+        told = "; ".join(" ".join((str(row.name), *row.cells, row.words)) for row in rows)
+        assert figures(sentence) <= figures(told) | figures(" ".join(result(name).labels.get("piston", ()))), tab.name
+        assert len(sentence) < 230, tab.name
+
+
+@pytest.mark.parametrize(
+    ("name", "tab", "sentence"),
+    [
+        ("3d12", "Motion", "Motion: stroke 180.0 mm (L), 186.7 mm (R); mean piston speed 9.000 m/s (L), 9.335 m/s (R)"),
+        ("3d12", "Largest forces", "Largest forces: on a crank pin 62.38 kN at 438.3°, rod of 1L"),
+        ("3d12", "Torque", "Torque: on the shaft mean 1776 N·m, 666.6 at 113.3° to 3528 N·m at 78.3°"),
+        ("3d12", "Wear of crank pins", ""),
+        ("shears", "Start", "Start: it ends after 7.014 s: it has run up: two cycles more at its steady speed"),
+        ("shears", "Textbook", "Textbook: Δx 0.0063 %, Δv 0.016 %, Δj 0.046 % at most by (333), (336), (337),"
+                               " 1: two harmonics; inside its range"),
+    ],
+)  # fmt: skip
+def test_the_sentence_is_of_the_rows_that_say_most(name, tab, sentence):
+    (own,) = [one.content.sentence for one in page(name).tabs if one.name == tab]
+    assert str(own).replace("\N{NO-BREAK SPACE}", " ") == sentence
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
