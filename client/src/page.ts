@@ -309,7 +309,7 @@ export class MachinePage {
   private stand(): void {
     const { cursor } = this;
     this.mechanism.show(cursor.angle);
-    this.handles.adding.show();
+    if (this.handles.adding.isBegun) this.handles.adding.show();
     this.sheets.show(cursor.place);
     if (!this.passing) this.members.show(cursor.angle);
     this.controls.show();

@@ -130,7 +130,7 @@ def added_table(
         names = ", ".join(one.name for one in place.kind.additions)
         raise InputError([Problem("addition.name", name, _("must be one of: {names}", names=names or "–"))])
     if len(clicks) != len(addition.clicks):
-        allowed = _("must be {n} clicks", n=len(addition.clicks))
+        allowed = _("must be as many as it asks for: {n}", n=len(addition.clicks))
         raise InputError([Problem("addition.clicks", str(len(clicks)), allowed)])
     shift = shaft_places(machine).centres.get(place.shaft, np.zeros(2))
     own = [_in_table(machine, place, one, np.ravel(shift)) for one in clicks]

@@ -11,7 +11,7 @@ import cranktrain as ct
 from cranktrain.errors import InputError
 from cranktrain.io.added_tables import with_part
 from cranktrain.io.examples import example_text
-from cranktrain.io.machine_file import read_text
+from cranktrain.io.machine_source import source_of_text
 from cranktrain.mechanisms.by_hand import Clicked
 from cranktrain.panels.additions import added_table, drawn_additions
 from cranktrain.panels.handles import drawn_handles
@@ -102,13 +102,18 @@ class Lying:
         return self.at(RADIUS * np.cos(phi), RADIUS * np.sin(phi))
 
 
+def machine_of(text):
+    """Read it, whether it turns all round or not."""
+    return source_of_text(text, {}).with_set(partial=True).machine
+
+
 def added(text, name, angle, *clicks):
-    machine = read_text(text, {}, partial=True).machine
+    machine = machine_of(text)
     return with_part(text, *added_table(machine, "1", name, angle, [Clicked(own, *at) for own, at in clicks]))
 
 
 def pins_of(text, angle):
-    machine = read_text(text, {}, partial=True).machine
+    machine = machine_of(text)
     return {name: pin[:, 0] for name, pin in ct.drawing(machine, [angle]).mechanisms[0].pins.items()}
 
 
@@ -223,7 +228,7 @@ def test_all_else_of_the_file_stays(addition):
     assert after["part"][: len(before["part"])] == before["part"]
     new = len(pins_of(twice, 60.0)) - len(pins_of(text, 60.0))
     assert new == 2
-    assert read_text(twice, {}).machine.name == read_text(text, {}).machine.name
+    assert machine_of(twice).name == machine_of(text).name
 
 
 def test_a_pin_on_a_lever_that_swings_about_a_pivot():
@@ -252,7 +257,7 @@ FILES = {
 @pytest.mark.parametrize("layout", FILES)
 def test_however_the_file_is_laid_out(layout):
     text = FILES[layout]
-    machine = read_text(text, {}, partial=True).machine
+    machine = machine_of(text)
     for name, *clicks in (
         ("pin", ("", (0.1, 0.2))),
         ("pin", ("rod", (0.1, 0.0))),
@@ -260,7 +265,7 @@ def test_however_the_file_is_laid_out(layout):
         ("pair", ("main.pin", (0.0, 0.0)), ("", (0.1, 0.2)), ("slider.pin", (0.0, 0.0))),
     ):
         text = added(text, name, 60.0, *clicks)
-    before, after = machine.places[0].spec, read_text(text, {}, partial=True).machine.places[0].spec
+    before, after = machine.places[0].spec, machine_of(text).places[0].spec
     assert after.part[0] == before.part[0]
     assert [part.type for part in after.part] == ["slide", "point", "pin"]
     assert len(after.fixed) == len(before.fixed) + 1
@@ -271,8 +276,8 @@ def test_new_numbers_are_moved_by_hand():
     text = text_of()
     for name, *clicks in ALL:
         text = added(text, name, 60.0, *clicks)
-    machine = read_text(text, {}).machine
-    assert ct.run(machine).stroke[0] == pytest.approx(ct.run(read_text(text_of(), {}).machine).stroke[0], rel=1e-12)
+    machine = machine_of(text)
+    assert ct.run(machine).stroke[0] == pytest.approx(ct.run(machine_of(text_of())).stroke[0], rel=1e-12)
     paths = [path for path, _value in leaves(tomllib.loads(text))]
     handled = {
         path
@@ -323,7 +328,7 @@ def test_of_a_parallelogram_s_lengths_it_is_the_one_that_was_clicked(is_crossed,
         ("pair", [("upper", (0, 0)), ("", (0.3, 0.4)), ("C", (0, 0))], "must be one of: O, C"),
         ("pair", [("", (0, 0)), ("", (0.3, 0.4)), ("C", (0, 0))], "must be one of: O, C"),
         ("pair", [("C", (0, 0)), ("", (0.3, 0.4)), ("C", (0, 0))], "take another pin"),
-        ("pair", [("C", (0, 0))], "must be 3 clicks"),
+        ("pair", [("C", (0, 0))], "must be as many as it asks for: 3"),
         ("point", [("knee", (0, 0))], "must be one of: pitman, upper, lower"),
         ("point", [("", (0, 0))], "must be one of: pitman, upper, lower"),
         ("pin", [("ram", (0, 0))], "must be one of: pitman, upper, lower"),
@@ -351,11 +356,11 @@ def test_links_that_nothing_drives_are_refused_by_the_machine():
         added(text_of(), "pin", 0.0, ("", (0.1, 0.4))), "pair", 0.0, ("C", (0, 0)), ("", (0.3, 0.5)), ("D", (0, 0))
     )
     with pytest.raises(InputError, match=r"mechanism\.part\[2\].*is not driven"):
-        read_text(text, {}, partial=True)
+        machine_of(text)
 
 
 def test_a_click_takes_what_is_drawn():
-    machine = read_text(text_of(), {}).machine
+    machine = machine_of(text_of())
     additions = {one.name: one for one in drawn_additions(machine, first_throw(machine))}
     assert list(additions) == ["point", "pin", "pair", "slider"]
     assert {one.mechanism for one in additions.values()} == {"1"}
