@@ -476,6 +476,8 @@ export interface LoadDrawing {
   readonly is_rope: boolean;
   readonly size: Numbers;
   readonly largest: Float;
+  readonly unit: string;
+  readonly one: Float;
   readonly way: Numbers;
   readonly place: Numbers;
   readonly pin: Numbers;

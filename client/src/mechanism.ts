@@ -2,7 +2,7 @@
 
 import type { DrawnHandle, LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing, PinVector, VectorsToScale } from "./data.ts";
 import { picture, svg } from "./elements.ts";
-import { at, between, extent, number, row } from "./numbers.ts";
+import { at, between, extent, figures, number, row } from "./numbers.ts";
 import { barbs, xy, type Point } from "./points.ts";
 import { DrawnVectors, NARROW, SCALE_ROW, type Edges } from "./vectors.ts";
 
@@ -531,7 +531,7 @@ export class Mechanism {
     const largest = number(load.largest);
     if (!(largest > 0)) return;
     const arrow = svg("path", { class: "load" });
-    const label = svg("text", { class: "load" }, load.name);
+    const label = svg("text", { class: "load" });
     into.append(arrow, label);
     const long = ARROW * LONG;
     this.moving.push((angle) => {
@@ -541,6 +541,7 @@ export class Mechanism {
       arrow.toggleAttribute("hidden", !isThere);
       label.toggleAttribute("hidden", !isThere);
       if (!isThere) return;
+      label.textContent = `${load.name} ${figures((part * largest) / number(load.one), largest / number(load.one))} ${load.unit}`;
       const end = this.point(get(row(load.place, 0)), get(row(load.place, 1)));
       if (load.is_torque) {
         const radius = 0.075 * LONG;

@@ -192,6 +192,10 @@ class LoadDrawing:
     largest : float
         Largest size of all forces on what is drawn over the cycle, or of all torques: what arrows are in parts of.
         [N or N·m]
+    unit : str
+        In which sizes are shown.
+    one : float
+        What one of it is. [N or N·m]
     way : Array, shape (2, n)
         Unit vector in which a force acts; 0 of a torque.
     place : Array, shape (2, n)
@@ -207,6 +211,8 @@ class LoadDrawing:
     is_rope: bool
     size: Array
     largest: float
+    unit: str
+    one: float
     way: Array
     place: Array
     pin: Array

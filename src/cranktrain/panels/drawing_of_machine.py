@@ -29,6 +29,7 @@ from cranktrain.plans.placement import PlacedShafts, frame, place_called, placed
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.vectors import angle_of
+from cranktrain.saying.scales import scale_for
 
 _PATH = np.linspace(0.0, 360.0, 121)
 """Shown crank angles at which paths have their points. [deg]"""
@@ -219,6 +220,7 @@ def _loads(
         return
     for one in (*loads.at(angles), *loads.on_shafts_at(angles)):
         largest = loads.largest[one.is_torque]
+        scale = scale_for("N*m" if one.is_torque else "N", largest)
         yield LoadDrawing(
             name=one.name,
             mechanism=one.mechanism,
@@ -227,6 +229,8 @@ def _loads(
             is_rope=one.is_rope,
             size=one.size,
             largest=largest,
+            unit=scale.label,
+            one=float(scale.one),
             way=one.way,
             place=one.place,
             pin=one.pin,

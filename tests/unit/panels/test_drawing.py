@@ -331,6 +331,7 @@ class TestLoads:
         assert (spring.name, spring.mechanism, spring.link, spring.is_torque) == ("spring", "1", "slider", False)
         assert spring.size == pytest.approx(2000.0)
         assert spring.largest == pytest.approx(2000.0)
+        assert (spring.unit, spring.one) == ("kN", 1000.0)
         assert spring.place == pytest.approx(found.mechanism("1").pins["B"])
         assert spring.way == pytest.approx(np.tile([[0.0], [-1.0]], ANGLES.size), abs=1e-12)
 
@@ -339,6 +340,7 @@ class TestLoads:
         (drive,) = found.loads
         assert drive.is_torque
         assert drive.largest == pytest.approx(1200.0)
+        assert (drive.unit, drive.one) == ("N·m", 1.0)
         assert np.abs(drive.size) == pytest.approx(1200.0)
         assert drive.place == pytest.approx(found.mechanisms[0].pins["C"])
 
