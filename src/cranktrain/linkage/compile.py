@@ -1,18 +1,22 @@
 """The same kernels, compiled: for sweeps, transients and whatever calls them a million times."""
 
-from collections.abc import Callable
+import gc
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from functools import cache
 from types import FunctionType, ModuleType
 from typing import Any, ParamSpec, TypeVar, cast
 
+from cranktrain.linkage.part import part_compiler
 from cranktrain.motion import chosen
 
 Parameters = ParamSpec("Parameters")
 Outcome = TypeVar("Outcome")
 
-UNCOUNTED: dict[str, Any] = {"_nrt": False}
-"""Of what makes no arrays: to count who holds those given takes a third of a loop's time, and a tenth of compiling."""
-WITHIN: dict[str, Any] = {**UNCOUNTED, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+FROM_PYTHON: dict[str, Any] = {"_nrt": False, "no_cfunc_wrapper": True}
+"""Of what Python calls, and no program in C, and makes no arrays: to count who holds those given takes a third of a
+loop's time, and a tenth of compiling."""
+WITHIN: dict[str, Any] = {**FROM_PYTHON, "no_cpython_wrapper": True}
 """Of what other compiled code calls alone: what lets Python call a function takes as long to compile as itself."""
 
 
@@ -72,8 +76,23 @@ def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | 
     # which costs a sixth of its time; a kernel's private parts it may weigh, or long kernels would take minutes.
     # Said in so many words, as else it would take after the function that calls it first.
     inlined = not kernel.__name__.startswith("_")
-    options = WITHIN if within else {}
+    options = {**WITHIN, "pipeline_class": part_compiler()} if within else {}
     return numba.njit(error_model="numpy", fastmath=set(faster) or False, forceinline=inlined, **options)(copy)
+
+
+@contextmanager
+def uncollected() -> Generator[None]:
+    """Let no garbage be looked for meanwhile: of what a compiler makes nearly all is held until its end.
+
+    To look through that again and again takes a seventh of the time in which something is compiled.
+    """
+    is_usual = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if is_usual:
+            gc.enable()
 
 
 @cache

@@ -17,6 +17,7 @@ from cranktrain.extras import is_there
 from cranktrain.how_far import say_how_far
 from cranktrain.language import Words, _
 from cranktrain.layout.question import Stage
+from cranktrain.linkage.compile import uncollected
 from cranktrain.linkage.kept import is_kept
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -33,7 +34,7 @@ from cranktrain.transient.runs import loop_of
 
 FACTS_SHOWN = ("start_duration", "largest_motor_torque", "effective_motor_torque", "final_motor_heat")
 """Of starts, unless others are asked for."""
-_COMPILING, _LOADING = 20.0, 0.5
+_COMPILING, _LOADING = 12.0, 0.5
 """How long it takes to compile starts, and to load what was compiled before: from when on plain ones are longer. [s]"""
 _compiled = set[Kernels]()
 """What this process has compiled."""
@@ -206,7 +207,9 @@ def _run_each(
         yield outcome(0, is_compiled=False)
         first = 1
         if n_designs > 1 and _is_worth_compiling(kernels, (perf_counter() - since) * (n_left - 1)):
-            yield outcome(1, is_compiled=True)  # which compiles or loads: threads must not do so at once
+            with uncollected():  # it compiles or loads: threads must not do so at once
+                second = outcome(1, is_compiled=True)
+            yield second
             first = 2
             _compiled.add(kernels)
     if kernels not in _compiled:

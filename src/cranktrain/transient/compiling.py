@@ -5,8 +5,9 @@ from functools import cache
 from types import CellType, FunctionType
 from typing import Any, ParamSpec, TypeVar, cast
 
-from cranktrain.linkage.compile import UNCOUNTED, WITHIN, teach_choices
+from cranktrain.linkage.compile import FROM_PYTHON, WITHIN, teach_choices
 from cranktrain.linkage.kept import fingerprint, keep
+from cranktrain.linkage.part import part_compiler
 from cranktrain.motion import chosen
 
 Parameters = ParamSpec("Parameters")
@@ -18,14 +19,19 @@ _AS_WRITTEN: frozenset[str] = frozenset()
 
 
 def quick(
-    function: Callable[Parameters, Outcome], faster: frozenset[str] = _AS_WRITTEN, *, within: bool = False
+    function: Callable[Parameters, Outcome],
+    faster: frozenset[str] = _AS_WRITTEN,
+    *,
+    within: bool = False,
+    is_kept: bool = False,
 ) -> Callable[Parameters, Outcome]:
     """Compile a function, and those that it calls by its globals or that were joined into it, once.
 
     What Numba has compiled already is taken as it is. Faster says how sums and products may be put together otherwise
-    than they are written, in the words of LLVM; within, whether other compiled code alone calls it, and never Python.
+    than they are written, in the words of LLVM; within, whether other compiled code alone calls it, and never Python;
+    is kept, whether it is to be kept on disk, for which it has to be machine code.
     """
-    return cast(Callable[Parameters, Outcome], _quick(function, faster, within))
+    return cast(Callable[Parameters, Outcome], _quick(function, faster, within, is_kept))
 
 
 def kept(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
@@ -35,13 +41,13 @@ def kept(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcom
 
 @cache
 def _kept(function: Any) -> Any:
-    made = quick(function)
+    made = quick(function, is_kept=True)
     keep(made)
     return made
 
 
 @cache
-def _quick(function: Any, faster: frozenset[str], within: bool) -> Any:
+def _quick(function: Any, faster: frozenset[str], within: bool, is_kept: bool = False) -> Any:
     if not isinstance(function, FunctionType):
         return function
     import numba
@@ -63,7 +69,9 @@ def _quick(function: Any, faster: frozenset[str], within: bool) -> Any:
         copy.__qualname__ = f"{function.__qualname__}_{fingerprint([copy])}"
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
-    options = WITHIN if within else UNCOUNTED
+    options = WITHIN if within else FROM_PYTHON
+    if within and not is_kept:
+        options = {**options, "pipeline_class": part_compiler()}
     made: Any = numba.njit(
         error_model="numpy", nogil=True, fastmath=set(faster) or False, forceinline=is_part, **options
     )

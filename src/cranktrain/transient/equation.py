@@ -185,7 +185,7 @@ def joined(kernels: Kernels, is_compiled: bool) -> Joined:
     if not is_compiled:
         return Joined(time_form(kernels, accelerated), kernels)
     own = Kernels(*(_as_kernel(each) for each in kernels))
-    return Joined(quick(time_form(own, quick(accelerated))), own)
+    return Joined(quick(time_form(own, quick(accelerated, within=True))), own)
 
 
 def _as_kernel(kernel: Any) -> Any:

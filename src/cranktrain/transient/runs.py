@@ -390,5 +390,5 @@ def loop_of(parts: Joined, is_compiled: bool) -> Any:
         here[INERTIA_AFTER] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
         return reason
 
-    inner, begin = (quick(run_on), quick(begin_run)) if is_compiled else (run_on, begin_run)
+    inner, begin = (quick(run_on, within=True), quick(begin_run, within=True)) if is_compiled else (run_on, begin_run)
     return kept(loop) if is_compiled else loop

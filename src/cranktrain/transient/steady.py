@@ -155,7 +155,9 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
                 table[at, part] = state[part]
             table[at, 4] = 1.0 / slopes[1]
 
-    derive_here, walk_to = (quick(derive), quick(_walk_to)) if is_compiled else (derive, _walk_to)
+    derive_here, walk_to = (
+        (quick(derive, within=True), quick(_walk_to, within=True)) if is_compiled else (derive, _walk_to)
+    )
     return kept(walk) if is_compiled else walk
 
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, ParamSpec, TypeVar
 import numpy as np
 
 from cranktrain.linkage import compiled as compiled_kernel
-from cranktrain.linkage.compile import UNCOUNTED, WITHIN
+from cranktrain.linkage.compile import FROM_PYTHON, WITHIN
 from cranktrain.linkage.kept import keep
 from cranktrain.motion import Array
 from cranktrain.study.cycle import given, nodes, panels
@@ -110,7 +110,7 @@ def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outc
 
 def called(function: Callable[Parameters, Outcome], *, within: bool = True) -> Callable[Parameters, Outcome]:
     """Compile a long loop, which is called, within compiled code or from Python, and keep what comes out."""
-    compiled = quick(function, FASTER, within=within)
+    compiled = quick(function, FASTER, within=within, is_kept=True)
     keep(compiled, *map(getsource, (given, nodes, panels)))
     return compiled
 
@@ -122,7 +122,7 @@ def part(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcom
 
 def loop(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile the outermost loop of a written file, whose name says what it is made of, and keep what comes out."""
-    compiled = _compiled(function, nogil=True, **UNCOUNTED)
+    compiled = _compiled(function, nogil=True, **FROM_PYTHON)
     keep(compiled)
     return compiled
 

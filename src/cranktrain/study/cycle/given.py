@@ -106,6 +106,38 @@ class EvennessAsked(NamedTuple):
     coefficient: Array
 
 
+class OfRepeats(NamedTuple):
+    """What is alike where a cycle repeats itself; of no design where there is one mechanism alone.
+
+    Attributes
+    ----------
+    kind, piston, master : array of int, shape (mechanism,)
+        Of one number where it is of one kind; its piston, −1 for none; on whose rod it hangs, −1 for the crank.
+    phase, firing : Array, shape (design, mechanism)
+        Of its crank, and of nominal firing in the first of its chambers, NaN for none. [rad]
+    numbers : Array, shape (design, mechanism, number)
+        Its geometry, bodies, gravity; 0 behind those of its kind.
+    fluid : array of int, shape (chamber,)
+    partner : array of int, shape (chamber, 2)
+        As of `ChamberNumbers`.
+    angles : Array, shape (design, chamber, 3)
+        φ of nominal firing, of the least volume and of the greatest. [rad]
+    volumes : Array, shape (design, chamber, number)
+        Areas, volumes, pressures, numbers of the fluid.
+    """
+
+    kind: Places
+    piston: Places
+    master: Places
+    phase: Array
+    firing: Array
+    numbers: Array
+    fluid: Places
+    partner: Places
+    angles: Array
+    volumes: Array
+
+
 class Repeats(NamedTuple):
     """What stands in each one's place after the part of a cycle that may repeat itself.
 

@@ -1,11 +1,12 @@
 """Loops of a design that are the same for all machines: its panels, whether they show its curves, and its facts."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.study.cycle.given import ChamberNumbers, EvennessAsked, Found, TurningDesigns, Work
 from cranktrain.study.cycle.nodes import PanelNodes
-from cranktrain.study.cycle.panels import CutCycle, Panels, cut, sorted_edges
+from cranktrain.study.cycle.panels import CutCycle, Panels
 from cranktrain.study.cycle.running import exact_flywheel, fluctuation_of, integral_of, mean_of, mertsalov_flywheel
 from cranktrain.study.cycle.tops import Tops, highest, largest_size, mean_size, unresolved
 
@@ -22,34 +23,20 @@ _ALIKE = 1e-9
 """Values that differ by less, in parts of the larger, are one."""
 
 
-def own_edges(design: int, turning: TurningDesigns, room: ChamberNumbers, panels: Panels, work: Work) -> int:
-    """List φ of the dead centres of those chambers that others repeat; give how many there are."""
-    n_edges, n_turns = 0, int(np.floor(turning.cycle / _TURN + 0.5))
-    for turn in range(n_turns):
-        for chamber in range(room.least.shape[1]):
-            if work.repeats.is_first[chamber]:
-                panels.edge[n_edges] = room.least[design, chamber] + turn * _TURN
-                panels.edge[n_edges + 1] = room.greatest[design, chamber] + turn * _TURN
+def own_edges(
+    design: int, cycle: float, room: ChamberNumbers, is_first: NDArray[np.bool_], edge: Array, pole: Array
+) -> tuple[int, int]:
+    """List φ of the dead centres of those chambers that others repeat, and of their poles; give how many of each."""
+    n_edges, n_poles, n_turns = 0, 0, int(np.floor(cycle / _TURN + 0.5))
+    for chamber in range(room.least.shape[1]):
+        if is_first[chamber]:
+            pole[n_poles] = room.least[design, chamber]
+            n_poles += 1
+            for turn in range(n_turns):
+                edge[n_edges] = room.least[design, chamber] + turn * _TURN
+                edge[n_edges + 1] = room.greatest[design, chamber] + turn * _TURN
                 n_edges += 2
-    return n_edges
-
-
-def cut_cycle(
-    design: int,
-    n_edges: int,
-    n_poles: int,
-    n_repeats: int,
-    finer: float,
-    turning: TurningDesigns,
-    panels: Panels,
-    work: Work,
-    nodes: PanelNodes,
-) -> CutCycle:
-    """Cut a design's cycle, or what it repeats so many times, at its edges."""
-    length = turning.cycle / n_repeats
-    kept = sorted_edges(panels.edge, n_edges, length)
-    zero, poles, away = turning.zero[design], work.pole[:n_poles], work.away[:n_poles]
-    return cut(panels, kept, length, zero, poles, away, finer, nodes)
+    return n_edges, n_poles
 
 
 def directions(cut: CutCycle, cos: Array, sin: Array) -> None:

@@ -89,7 +89,7 @@ def sorted_edges(edge: Array, n_edges: int, cycle: float) -> int:
     return kept
 
 
-def cut(
+def cut_cycle(
     panels: Panels, n_edges: int, length: float, zero: float, poles: Array, away: Array, finer: float, nodes: PanelNodes
 ) -> CutCycle:
     """Cut the cycle at its edges, and further where poles are near.

@@ -8,17 +8,22 @@ compile.
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.given import ChamberNumbers, OfFluid, OfKind, Repeats
+from cranktrain.study.cycle.given import OfRepeats, Repeats
 
 _TURN = 2 * np.pi
 _ALIKE, _TOGETHER = 1e-13, 1e-12
 """Numbers that differ by less, in parts of the larger, and angles, are one. [rad]"""
 
 
-def begin_repeats(repeats: Repeats) -> None:
-    """Begin anew: nothing stands in anything's place."""
-    for mechanism in range(repeats.is_taken.size):
-        repeats.is_taken[mechanism] = False
+def times_repeated(design: int, alike: OfRepeats, cycle: float, repeats: Repeats) -> int:
+    """How many times a design's cycle repeats itself; what stands in each one's place then is noted."""
+    for many in range(alike.kind.size, 1, -1):
+        later = cycle / many
+        if _mechanisms_repeat(design, alike, later, cycle, repeats) and _chambers_repeat(
+            design, alike, later, cycle, repeats
+        ):
+            return many
+    return 1
 
 
 def first_chambers(n_repeats: int, repeats: Repeats) -> None:
@@ -32,52 +37,51 @@ def first_chambers(n_repeats: int, repeats: Repeats) -> None:
             image = repeats.chamber[image]
 
 
-def mechanisms_repeat(
-    design: int, kind: OfKind, room: ChamberNumbers, later: float, cycle: float, repeats: Repeats
-) -> bool:
-    """Whether every mechanism of a kind stands, some φ later, as another one of them; note which."""
-    for member in range(kind.mechanism.size):
-        other = _in_its_place(design, member, kind, room, later, cycle, repeats)
-        if other < 0:
-            return False
-        image = kind.mechanism[other]
-        repeats.is_taken[image] = True
-        repeats.mechanism[kind.mechanism[member]] = image
-        if kind.piston[member] >= 0:
-            repeats.piston[kind.piston[member]] = kind.piston[other]
-    return True
-
-
-def masters_repeat(kind: OfKind, repeats: Repeats) -> bool:
-    """Whether what hangs on a rod hangs, in its new place, on what stands in that rod's."""
-    for member in range(kind.mechanism.size):
-        if kind.master[member] >= 0:
-            image, is_there = repeats.mechanism[kind.mechanism[member]], False
-            for other in range(kind.mechanism.size):
-                if kind.mechanism[other] == image:
-                    is_there = kind.master[other] == repeats.mechanism[kind.master[member]]
-            if not is_there:
-                return False
-    return True
-
-
-def chambers_repeat(
-    design: int, fluid: OfFluid, room: ChamberNumbers, later: float, cycle: float, repeats: Repeats
-) -> bool:
-    """Whether every chamber of a fluid is, some φ later, as that of the pistons in its own ones' places."""
-    for member in range(fluid.places.size):
-        chamber, is_there = fluid.places[member], False
-        for other in range(fluid.places.size):
-            image = fluid.places[other]
+def _mechanisms_repeat(design: int, alike: OfRepeats, later: float, cycle: float, repeats: Repeats) -> bool:
+    """Whether every mechanism stands, some φ later, as another one, and hangs on what stands in its master's place."""
+    for mechanism in range(alike.kind.size):
+        repeats.is_taken[mechanism] = False
+    for mechanism in range(alike.kind.size):
+        fires, is_there = alike.firing[design, mechanism], False
+        for image in range(alike.kind.size):
+            to_fire = alike.firing[design, image]
             if (
-                room.partner[image, 0] == repeats.piston[room.partner[chamber, 0]]
-                and room.partner[image, 1] == repeats.piston[room.partner[chamber, 1]]
-                and _are_alike(room.area[design, chamber], room.area[design, image])
-                and _is_chamber_alike(design, chamber, image, room)
-                and _is_later(room.firing[design, image], room.firing[design, chamber], later, cycle)
-                and _is_later(room.least[design, image], room.least[design, chamber], later, _TURN)
-                and _is_later(room.greatest[design, image], room.greatest[design, chamber], later, _TURN)
-                and _are_alike(fluid.numbers[design, member], fluid.numbers[design, other])
+                not repeats.is_taken[image]
+                and alike.kind[image] == alike.kind[mechanism]
+                and (alike.master[image] < 0) == (alike.master[mechanism] < 0)
+                and _is_later(alike.phase[design, mechanism], alike.phase[design, image], later, _TURN)
+                and (_is_later(to_fire, fires, later, cycle) or (fires != fires and to_fire != to_fire))
+                and _are_alike(alike.numbers[design, mechanism], alike.numbers[design, image])
+            ):
+                is_there, repeats.is_taken[image] = True, True
+                repeats.mechanism[mechanism] = image
+                if alike.piston[mechanism] >= 0:
+                    repeats.piston[alike.piston[mechanism]] = alike.piston[image]
+                break
+        if not is_there:
+            return False
+    for mechanism in range(alike.kind.size):
+        master = alike.master[mechanism]
+        if master >= 0 and alike.master[repeats.mechanism[mechanism]] != repeats.mechanism[master]:
+            return False
+    return True
+
+
+def _chambers_repeat(design: int, alike: OfRepeats, later: float, cycle: float, repeats: Repeats) -> bool:
+    """Whether every chamber is, some φ later, as that of the pistons in its own ones' places."""
+    for chamber in range(alike.fluid.size):
+        one, other = repeats.piston[alike.partner[chamber, 0]], repeats.piston[alike.partner[chamber, 1]]
+        own, is_there = alike.angles[design, chamber], False
+        for image in range(alike.fluid.size):
+            its = alike.angles[design, image]
+            if (
+                alike.partner[image, 0] == one
+                and alike.partner[image, 1] == other
+                and alike.fluid[image] == alike.fluid[chamber]
+                and _is_later(its[0], own[0], later, cycle)
+                and _is_later(its[1], own[1], later, _TURN)
+                and _is_later(its[2], own[2], later, _TURN)
+                and _are_alike(alike.volumes[design, chamber], alike.volumes[design, image])
             ):
                 is_there = True
                 repeats.chamber[chamber] = image
@@ -87,61 +91,12 @@ def chambers_repeat(
     return True
 
 
-def _in_its_place(
-    design: int, member: int, kind: OfKind, room: ChamberNumbers, later: float, cycle: float, repeats: Repeats
-) -> int:
-    """Which member stands, some φ earlier, as a given one does later; −1 for none."""
-    for other in range(kind.mechanism.size):
-        if (
-            not repeats.is_taken[kind.mechanism[other]]
-            and _is_later(kind.phase[design, member], kind.phase[design, other], later, _TURN)
-            and (kind.master[member] < 0) == (kind.master[other] < 0)
-            and _fire_alike(design, kind.piston[member], kind.piston[other], room, later, cycle)
-            and _are_alike(kind.geometry[design, member], kind.geometry[design, other])
-            and _are_alike(kind.bodies[design, member], kind.bodies[design, other])
-            and _are_alike(kind.gravity[design, member], kind.gravity[design, other])
-        ):
-            return other
-    return -1
-
-
-def _fire_alike(design: int, one: int, other: int, room: ChamberNumbers, later: float, cycle: float) -> bool:
-    """Whether the first chamber of a piston fires so much later than that of another; or neither has any."""
-    own, image = _first_chamber(one, room), _first_chamber(other, room)
-    if own < 0 or image < 0:
-        return own == image
-    return _is_later(room.firing[design, image], room.firing[design, own], later, cycle)
-
-
-def _first_chamber(piston: int, room: ChamberNumbers) -> int:
-    for chamber in range(room.partner.shape[0]):
-        if piston >= 0 and (room.partner[chamber, 0] == piston or room.partner[chamber, 1] == piston):
-            return chamber
-    return -1
-
-
-def _is_chamber_alike(design: int, one: int, other: int, room: ChamberNumbers) -> bool:
-    """Whether two chambers have the same volumes."""
-    alike = _is_alike(room.start[design, one], room.start[design, other])
-    alike &= _is_alike(room.ambient[design, one], room.ambient[design, other])
-    alike &= _is_alike(room.smallest[design, one], room.smallest[design, other])
-    alike &= _is_alike(room.largest[design, one], room.largest[design, other])
-    for partner in range(2):
-        top, image = room.top[design, room.partner[one, partner]], room.top[design, room.partner[other, partner]]
-        alike &= _is_alike(top, image)
-    return alike
-
-
 def _are_alike(one: Array, other: Array) -> bool:
     """Whether two rows of numbers are one."""
     alike = True
     for place in range(one.size):
-        alike &= _is_alike(one[place], other[place])
+        alike &= abs(one[place] - other[place]) <= _ALIKE * max(abs(one[place]), abs(other[place]))
     return alike
-
-
-def _is_alike(one: float, other: float) -> bool:
-    return abs(one - other) <= _ALIKE * max(abs(one), abs(other))
 
 
 def _is_later(angle: float, other: float, later: float, turn: float) -> bool:

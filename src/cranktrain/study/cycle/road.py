@@ -24,6 +24,7 @@ from cranktrain.layout.mechanisms import Mechanisms, Pistons
 from cranktrain.layout.question import Parts, Stage
 from cranktrain.layout.shaft_loads import LoadsOnShafts
 from cranktrain.layout.speed import Speed
+from cranktrain.linkage.compile import uncollected
 from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import Extreme, turn_grid
@@ -46,6 +47,7 @@ from cranktrain.saying.catalogue import Entry, entries, values
 from cranktrain.study.cycle.compiling import called
 from cranktrain.study.cycle.disk import loaded_loops
 from cranktrain.study.cycle.given import EvennessAsked, TurningDesigns
+from cranktrain.study.cycle.likeness import of_repeats
 from cranktrain.study.cycle.loops import tell_vectors
 from cranktrain.study.cycle.nodes import nodes
 from cranktrain.study.cycle.numbers import NumbersOfKinds, nothing_found, of_gas, of_kinds, room_to_work
@@ -269,9 +271,11 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: CompiledWay) -> 
         _each(speed.value, n_designs), _each(crank_angle.zero, n_designs), float(crank_angle.cycle)
     )
     if way.asks:
-        given = (*kinds.numbers, *gas.numbers, gas.room, turning, _wanted(parts, way, n_designs))
+        alike = of_repeats(kinds.numbers, gas.room, gas.numbers)
+        given = (*kinds.numbers, *gas.numbers, gas.room, turning, _wanted(parts, way, n_designs), alike)
         loop = loaded_loops(written_cycle(structure)).cycle
-        loop(0, n_designs, *given, tables, panel_room(tables), work, found)
+        with uncollected():
+            loop(0, n_designs, *given, tables, panel_room(tables), work, found)
     else:
         found.is_known[:] = True
 
@@ -280,9 +284,10 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: CompiledWay) -> 
 
     def of_vectors(loads: Array) -> Array:
         told = np.full((*loads.shape[:2], 3), np.nan)
-        called(tell_vectors, within=False)(
-            0, n_designs, tables, panel_room(tables), turning, found, loads, told, work.tops
-        )
+        with uncollected():
+            called(tell_vectors, within=False)(
+                0, n_designs, tables, panel_room(tables), turning, found, loads, told, work.tops
+            )
         return told
 
     names = tuple(joint.name for joint in joints)
@@ -316,6 +321,7 @@ def _dead_centres(kinds: NumbersOfKinds, parts: Any, n_designs: int) -> DeadCent
     angle = turn_grid(_LOOKED_AT)
     around = np.stack([angle, np.cos(angle), np.sin(angle)])
     found = np.full((n_designs, len(pistons.names), 2, 2), np.nan)
-    loaded_loops(written_turning(kinds.sources)).turning_points(0, n_designs, *kinds.numbers, around, found)
+    with uncollected():
+        loaded_loops(written_turning(kinds.sources)).turning_points(0, n_designs, *kinds.numbers, around, found)
     top, bottom = (Extreme(found[:, :, end, :1] - pistons.nominal_top, found[:, :, end, 1:]) for end in range(2))
     return dead_centres_at(top, bottom, pistons, parts[CrankAngle], parts.get(InCylinders))

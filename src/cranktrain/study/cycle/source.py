@@ -11,7 +11,6 @@ from cranktrain.study.cycle.chambers import branch_at, nearer, toward_end
 from cranktrain.study.cycle.curves import fill_lines
 from cranktrain.study.cycle.lines import CRANK, Imports, arguments, indented, member_lines
 from cranktrain.study.cycle.loops import (
-    cut_cycle,
     directions,
     keep_panels,
     own_edges,
@@ -24,13 +23,8 @@ from cranktrain.study.cycle.loops import (
     tell_running,
     tell_torque,
 )
-from cranktrain.study.cycle.repeats import (
-    begin_repeats,
-    chambers_repeat,
-    first_chambers,
-    masters_repeat,
-    mechanisms_repeat,
-)
+from cranktrain.study.cycle.panels import cut_cycle, sorted_edges
+from cranktrain.study.cycle.repeats import first_chambers, times_repeated
 from cranktrain.study.cycle.structure import CycleStructure, KindSource, kernels
 
 
@@ -47,9 +41,7 @@ def written_cycle(structure: CycleStructure) -> WrittenLoops:
     body = [
         *_kernels(called, (*_PARTS, *_tellers(structure)), imports),
         *_volume(structure, imports),
-        *fill_lines(structure, imports),
-        *(_repeating(structure) if structure.is_of_shaft else ()),
-        *_cycle(structure),
+        *_cycle(structure, imports),
     ]
     return _put_together(imports, body, called)
 
@@ -77,7 +69,7 @@ def _put_together(imports: Imports, body: Sequence[str], called: Mapping[str, Ca
     return WrittenLoops("\n".join([*head, *body, ""]), tuple(called.values()))
 
 
-_PARTS = (branch_at, nearer, cut_cycle, directions, first_chambers, own_edges, push_on, shows)
+_PARTS = (branch_at, nearer, cut_cycle, directions, first_chambers, own_edges, push_on, shows, sorted_edges)
 """What is the same for all machines, whatever is asked."""
 
 
@@ -155,7 +147,7 @@ def _tellers(structure: CycleStructure) -> Iterator[Callable[..., Any]]:
     """What tells the facts that are asked for."""
     yield from (call for ask, call in _TOLD.items() if ask in structure.asks)
     if structure.is_of_shaft:
-        yield from (begin_repeats, chambers_repeat, masters_repeat, mechanisms_repeat)
+        yield times_repeated
     if structure.needs_inertia:
         yield tell_running
     if "given" in structure.asks:
@@ -164,33 +156,10 @@ def _tellers(structure: CycleStructure) -> Iterator[Callable[..., Any]]:
         yield keep_panels
 
 
-def _repeating(structure: CycleStructure) -> Iterator[str]:
-    """How many times a design's cycle repeats itself."""
-    later = "room, later, turning.cycle, work.repeats"
-    kinds, fluids = range(len(structure.kinds)), range(len(structure.fluids))
-    conditions = [
-        *(f"mechanisms_repeat(design, k{place}, {later})" for place in kinds),
-        *(f"masters_repeat(k{place}, work.repeats)" for place in kinds),
-        *(f"chambers_repeat(design, f{place}, {later})" for place in fluids),
-    ]
-    yield "@part"
-    yield f"def repeating(design, {arguments(structure)}, room, turning, work):"
-    yield "    found = 1"
-    yield "    for many in range(work.repeats.mechanism.size, 1, -1):"
-    yield "        later = turning.cycle / many"
-    yield "        begin_repeats(work.repeats)"
-    yield f"        if {' and '.join(conditions)}:"
-    yield "            found = many"
-    yield "            break"
-    yield "    return found"
-    yield ""
-    yield ""
-
-
-def _cycle(structure: CycleStructure) -> list[str]:
+def _cycle(structure: CycleStructure, imports: Imports) -> list[str]:
     """The loop over designs."""
     given = arguments(structure)
-    own = f"def cycle(first, last, {given}, room, turning, wanted, nodes, panels, work, found):"
+    own = f"def cycle(first, last, {given}, room, turning, wanted, alike, nodes, panels, work, found):"
     gas = _GAS.format(given=given) if structure.fluids else ""
     curves = [curve for ask, curve in _CURVES.items() if ask in structure.asks]
     shown = " and ".join(f"shows({curve}, cut)" for curve in ("work.torque[:1]", *curves))
@@ -207,9 +176,15 @@ def _cycle(structure: CycleStructure) -> list[str]:
     if "points" in structure.asks:
         known += " and keep_panels(design, cut, work, found)"
     told.append(f"                found.is_known[design] = {known}")
-    repeats = f"repeating(design, {given}, room, turning, work)" if structure.is_of_shaft else "1"
+    repeats = "times_repeated(design, alike, turning.cycle, work.repeats)" if structure.is_of_shaft else "1"
     return _CYCLE.format(
-        head=own, given=given, gas=gas, shown=shown, told="\n".join(told), repeats=repeats
+        head=own,
+        given=given,
+        gas=gas,
+        fill="\n".join(indented(fill_lines(structure, imports), 4)),
+        shown=shown,
+        told="\n".join(told),
+        repeats=repeats,
     ).splitlines()
 
 
@@ -227,26 +202,28 @@ _CYCLE = """\
         first_chambers(n_repeats, work.repeats)
         finer = 1.0
         while finer <= FINEST:
-            n_poles, n_edges = 0, own_edges(design, turning, room, panels, work)
+            n_edges, n_poles = own_edges(design, turning.cycle, room, work.repeats.is_first, panels.edge, work.pole)
 {gas}\
-            cut = cut_cycle(design, n_edges, n_poles, n_repeats, finer, turning, panels, work, nodes)
+            n_edges = sorted_edges(panels.edge, n_edges, turning.cycle / n_repeats)
+            poles, away = work.pole[:n_poles], work.away[:n_poles]
+            cut = cut_cycle(panels, n_edges, turning.cycle / n_repeats, turning.zero[design], poles, away, finer, nodes)
             if cut.n_panels > 0:
                 directions(cut, work.cos, work.sin)
-                fill(design, cut, speed, turning.cycle, {given}, room, work)
+{fill}
             if cut.n_panels > 0 and {shown}:
 {told}
                 break
             finer *= 2.0"""
 
 _GAS = """\
+            place = 0
             for chamber in range(room.partner.shape[0]):
                 if not work.repeats.is_first[chamber]:
                     continue
                 least = room.least[design, chamber]
                 smallest, _slope, bend = volume_at(design, chamber, least, {given}, room)
-                work.pole[n_poles] = least
-                work.away[n_poles] = np.sqrt(2.0 * smallest / bend)
-                n_poles += 1
+                work.away[place] = np.sqrt(2.0 * smallest / bend)
+                place += 1
                 for kink in range(room.sense.size):
                     volume, sense = room.kink[design, chamber, kink], room.sense[kink]
                     if volume > smallest:

@@ -5,7 +5,7 @@ import pytest
 
 from cranktrain.study.cycle.loops import directions
 from cranktrain.study.cycle.nodes import nodes
-from cranktrain.study.cycle.panels import cut, panel_room, sorted_edges
+from cranktrain.study.cycle.panels import cut_cycle, panel_room, sorted_edges
 from cranktrain.study.cycle.running import (
     energy_for,
     exact_flywheel,
@@ -27,7 +27,7 @@ class Cut:
         self.panels = panel_room(NODES)
         self.panels.edge[: len(edges)] = edges
         n_edges = sorted_edges(self.panels.edge, len(edges), cycle)
-        self.cut = cut(self.panels, n_edges, cycle, zero, np.asarray(poles), np.asarray(away), finer, NODES)
+        self.cut = cut_cycle(self.panels, n_edges, cycle, zero, np.asarray(poles), np.asarray(away), finer, NODES)
         self.count, self.n_points = self.cut.n_panels, self.cut.n_points
         self.tops = room_for_tops(len(self.panels.angle), int(NODES.size[-1]))
 

@@ -4,13 +4,8 @@ import numpy as np
 import pytest
 
 from cranktrain.study.cycle.given import ChamberNumbers, OfFluid, OfKind, Repeats
-from cranktrain.study.cycle.repeats import (
-    begin_repeats,
-    chambers_repeat,
-    first_chambers,
-    masters_repeat,
-    mechanisms_repeat,
-)
+from cranktrain.study.cycle.likeness import of_repeats
+from cranktrain.study.cycle.repeats import first_chambers, times_repeated
 
 TURN = 2 * np.pi
 
@@ -54,20 +49,10 @@ class Engine:
             *(np.zeros(n, dtype=np.intp) for _what in range(3)), np.zeros(n, dtype=bool), np.zeros(n, dtype=bool)
         )
 
-    def does(self, many):
-        """Whether the cycle is so many times the same."""
-        later = self.cycle / many
-        begin_repeats(self.repeats)
-        given = self.room, later, self.cycle, self.repeats
-        return (
-            mechanisms_repeat(0, self.kind, *given)
-            and masters_repeat(self.kind, self.repeats)
-            and chambers_repeat(0, self.fluid, *given)
-        )
-
     @property
     def times(self):
-        return next((many for many in range(len(self.kind.mechanism), 1, -1) if self.does(many)), 1)
+        alike = of_repeats([self.kind], self.room, [self.fluid])
+        return times_repeated(0, alike, self.cycle, self.repeats)
 
 
 def in_line(order, turns=2):
