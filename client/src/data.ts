@@ -27,7 +27,8 @@ export interface ShownMachine {
   readonly trust: PageTrust | null;
   readonly drawing: MachineDrawing;
   readonly members: PageMembers | null;
-  readonly pistons: readonly (string)[];
+  readonly pistons: readonly (PagePiston)[];
+  readonly throws: readonly (PageThrow)[];
   readonly ghosts: Numbers;
   readonly words: PageWords;
 }
@@ -505,6 +506,21 @@ export interface CursorColumn {
   readonly around: Float | null;
 }
 
+export interface PagePiston {
+  readonly is: "PagePiston";
+  readonly name: string;
+  readonly firing: string;
+  readonly shaft: string;
+  readonly throw: number;
+}
+
+export interface PageThrow {
+  readonly is: "PageThrow";
+  readonly shaft: string;
+  readonly number: number;
+  readonly direction: Float;
+}
+
 export interface PageWords {
   readonly is: "PageWords";
   readonly drawing: string;
@@ -524,7 +540,8 @@ export interface PageWords {
   readonly light: string;
   readonly dark: string;
   readonly ghosts: string;
-  readonly piston: string;
+  readonly pistons: string;
+  readonly throws: string;
   readonly members: string;
 }
 

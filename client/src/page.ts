@@ -4,8 +4,8 @@ import type { Address, Place } from "./address.ts";
 import type { Colours } from "./colours.ts";
 import { Controls, type Cursor } from "./controls.ts";
 import { Passing } from "./course.ts";
-import type { PageCourse, PageMembers, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
-import { html, offer, write } from "./elements.ts";
+import type { PageCourse, PageMembers, PagePiston, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
+import { html, write } from "./elements.ts";
 import { Handles, type Editing } from "./handles.ts";
 import { dragged, pressed } from "./hands.ts";
 import { Mechanism, type View } from "./mechanism.ts";
@@ -13,6 +13,7 @@ import { Members } from "./members.ts";
 import { number, same } from "./numbers.ts";
 import { hasDifferences, Sheets } from "./sheets.ts";
 import { answer, checks, table } from "./tables.ts";
+import { Throws } from "./throws.ts";
 import { Turning } from "./turning.ts";
 import { VectorChoice } from "./vectors.ts";
 import { said } from "./words.ts";
@@ -58,7 +59,7 @@ export class MachinePage {
   private readonly columns: HTMLElement;
   private readonly stage = html("div", { class: "stage" });
   private readonly controls: Controls;
-  private readonly pistons = html("select", { class: "pistons" });
+  private readonly throws = new Throws((piston) => { this.source?.pick(piston); });
   private readonly members = new Members();
   private readonly leftOut = html("p", { class: "note" });
   private readonly answers = html("div", { class: "answers" });
@@ -109,12 +110,11 @@ export class MachinePage {
       this.differ.setAttribute("aria-pressed", `${!this.isOfDifferences}`);
       this.choose(this.chosen);
     });
-    this.pistons.addEventListener("change", () => { this.source?.pick(this.pistons.value); });
     this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
     const right = html("section", { class: "right" }, this.toMind, this.panel, this.ownPanel);
     this.columns = html(
       "div", { class: "columns" },
-      html("section", { class: "drawing" }, this.stage, this.controls.element, html("div", { class: "choices" }, this.pistons, this.vectors.element, this.ghosts, this.handles.button), this.handles.adding.element, this.controls.keys, this.leftOut),
+      html("section", { class: "drawing" }, this.stage, this.controls.element, this.throws.element, html("div", { class: "choices" }, this.vectors.element, this.ghosts, this.handles.button), this.handles.adding.element, this.controls.keys, this.leftOut),
       html("section", { class: "left" }, this.answers, this.members.element, this.checked),
       right,
     );
@@ -199,12 +199,12 @@ export class MachinePage {
   }
 
   /** Offer the pistons whose throw may be shown, where it can be asked for. */
-  private fillPistons({ pistons, drawing, words }: ShownMachine): void {
-    this.pistons.hidden = !this.source || pistons.length === 0;
-    this.pistons.setAttribute("aria-label", words.piston);
+  private fillPistons({ pistons, throws, drawing, words }: ShownMachine): void {
+    this.throws.element.hidden = !this.source || pistons.length === 0;
     const { piston } = this.address;
-    const shown = pistons.includes(piston) ? piston : (pistons.find((name) => drawing.mechanisms.some((one) => one.name === name)) ?? "");
-    offer(this.pistons, pistons.map((name) => [name, `${words.piston} ${name}`]), shown);
+    const isDrawn = (one: PagePiston): boolean => drawing.mechanisms.some(({ name }) => name === one.name);
+    const shown = pistons.find((one) => one.name === piston) ?? pistons.find((one) => one.name === drawing.mechanisms[0]?.name) ?? pistons.find(isDrawn);
+    this.throws.take(pistons, throws, words, shown?.name ?? "");
   }
 
   /** Show a tab, as soon as it is there. */

@@ -116,15 +116,46 @@ def test_a_number_says_where_it_is_from_and_leads_to_the_numbers_behind_it(opene
 def test_another_piston_has_its_throw_and_its_curves(opened):
     page = opened("#machine=3d12&phi=30&tab=Largest+forces")
     page.locator("h3", has_text="Forces at piston 1L").wait_for()
-    page.locator("select.pistons").select_option("4R")
+    assert page.locator(".pistons label").all_text_contents()[:3] == ["1L 0°", "6R 60°", "5L 120°"]
+    page.locator(".pistons label", has_text="4R").click()
     page.locator("h3", has_text="Forces at piston 4R").wait_for()
     page.wait_for_url(re.compile("piston=4R"))
     again = opened(page.url[page.url.index("#") :])
     again.locator("h3", has_text="Forces at piston 4R").wait_for()
-    assert again.locator("select.pistons").input_value() == "4R"
+    assert again.locator(".pistons input:checked").input_value() == "4R"
     again.locator("label", has_text="Machine").locator("select").select_option("burning_cylinder")
     again.locator("h1", has_text="Wiebe").wait_for()
-    assert not again.locator("select.pistons").is_visible()
+    assert not again.locator(".pistons").is_visible()
+
+
+def test_a_throw_is_chosen_by_keys_and_on_its_star(opened, axe):
+    page = opened("#machine=3d12&phi=30&tab=Largest+forces&piston=6R")
+    page.locator("h3", has_text="Forces at piston 6R").wait_for()
+    chosen = page.locator(".crank-star .chosen text")
+    assert (chosen.text_content(), page.locator(".crank-star text").count()) == ("1, 6", 3)
+    tab_to(page, ".pistons input")
+    for name, throws in (("5L", "2, 5"), ("2R", "2, 5"), ("3L", "3, 4")):
+        page.keyboard.press("ArrowRight")
+        page.locator("h3", has_text=f"Forces at piston {name}").wait_for()
+        assert page.evaluate("document.activeElement.value") == name
+        assert chosen.text_content() == throws
+    assert page.locator("output.angle").inner_text() == "φ = 30°"  # keys of a choice turn no crank
+    for name in ("1L", "6R", "6L"):  # in their order of firing
+        page.locator(".crank-star g", has_text="1, 6").locator(".target").click()
+        page.locator("h3", has_text=f"Forces at piston {name}").wait_for()
+    page.evaluate(axe)
+    assert faults(page) == []
+
+
+def test_a_chosen_piston_is_seen_in_a_long_list_on_a_phone_too(chromium, address):
+    context = chromium.new_context(viewport={"width": 390, "height": 844}, reduced_motion="reduce")
+    page = Watched(context, f"{address}#machine=deltic&phi=0&piston=3C.scavenge").page
+    page.locator(".pistons input:checked").wait_for()
+    chosen, among = (page.locator(one).bounding_box() for one in (".pistons label:has(:checked)", ".pistons"))
+    assert among["y"] <= chosen["y"] and chosen["y"] + chosen["height"] <= among["y"] + among["height"] + 1
+    assert page.locator("svg.crank-star").count() == 3
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    context.close()
 
 
 def test_what_was_meant_is_a_button(opened):

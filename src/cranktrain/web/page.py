@@ -39,6 +39,7 @@ from cranktrain.web.saved_facts import facts_beside
 from cranktrain.web.start_tab import START
 from cranktrain.web.tabs import PageSheet, TabContent, lacking_sheet
 from cranktrain.web.textbook_tab import TEXTBOOK
+from cranktrain.web.throws import PagePiston, PageThrow, page_pistons, page_throws
 
 _STEP = 2.0
 """Between positions of the drawing, between which a page goes on smoothly. [deg]"""
@@ -109,7 +110,8 @@ class PageWords:
     light: Words
     dark: Words
     ghosts: Words
-    piston: Words
+    pistons: Words
+    throws: Words
     members: Words
 
 
@@ -133,7 +135,8 @@ def _page_words() -> PageWords:
         light=_("light"),
         dark=_("dark"),
         ghosts=_("Dead centres"),
-        piston=_("Piston"),
+        pistons=_("Piston whose throw and curves are shown"),
+        throws=_("Throws at φ = 0, as seen from the free end"),
         members=_("Pins and links at the crank angle"),
     )
 
@@ -155,8 +158,10 @@ class ShownMachine:
         A throw over the cycle, both ends included.
     members : PageMembers or None
         Its pins and links; None where they were not asked for.
-    pistons : tuple of str
-        Names of those whose throw and curves may be shown; none where there is one alone.
+    pistons : tuple of PagePiston
+        Those whose throw and curves may be shown; none where there is one alone.
+    throws : tuple of PageThrow
+        On which they are, of shafts that have several.
     ghosts : Array
         Crank angles of its ghosts, at which its first mechanism turns back; none where nothing is drawn. [deg]
     words : PageWords
@@ -169,7 +174,8 @@ class ShownMachine:
     trust: PageTrust | None
     drawing: MachineDrawing
     members: PageMembers | None
-    pistons: tuple[str, ...]
+    pistons: tuple[PagePiston, ...]
+    throws: tuple[PageThrow, ...]
     ghosts: Array
     words: PageWords
 
@@ -209,7 +215,8 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
         trust=page_trust(result) if tab is None else None,
         drawing=machine_drawing(machine, _evenly(result, _STEP), mechanism=throw[0].name if throw else None),
         members=page_members_of(result, piston) if tab is None else None,
-        pistons=pistons_of(machine),
+        pistons=page_pistons(result),
+        throws=page_throws(machine),
         ghosts=dead_positions(machine, throw[0]) if throw else np.empty(0),
         words=_page_words(),
     )
@@ -226,17 +233,16 @@ def _evenly(result: Result, step: float) -> Array:
     return np.arange(0.0, result.cycle + step / 2, step)
 
 
-def pistons_of(machine: Machine) -> tuple[str, ...]:
-    """Names of the pistons of a machine that has several."""
-    names = tuple(place.name for place in machine.design.pistons)
-    return names if len(names) > 1 else ()
-
-
 def shown_throw(machine: Machine, piston: str) -> tuple[PlacedMechanism, ...]:
     """Give the throw of a piston, the first where there is none of that name."""
-    if piston in pistons_of(machine):
+    if _has_piston(machine, piston):
         return throw_of(machine, place_called(machine, piston))
     return first_throw(machine)
+
+
+def _has_piston(machine: Machine, name: str) -> bool:
+    """Whether a machine has a piston of a name."""
+    return any(place.name == name for place in machine.design.pistons)
 
 
 def tab_names(result: Result) -> tuple[str, ...]:
@@ -307,7 +313,7 @@ def _sheet_beside(saved: Result | None, title: str, make: Callable[..., Any], pi
 
 def _chosen(result: Result, make: Callable[..., Any], piston: str) -> dict[str, str]:
     """Choose the piston of a sheet that is one's, if there is one of that name."""
-    takes = "piston" in signature(make).parameters and piston in pistons_of(result.machines[0])
+    takes = "piston" in signature(make).parameters and _has_piston(result.machines[0], piston)
     return {"piston": piston} if takes else {}
 
 

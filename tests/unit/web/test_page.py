@@ -174,5 +174,5 @@ def test_a_page_of_another_piston_has_its_throw_and_its_curves():
     curves = next(part for part in parts(own) if isinstance(part, PageCurves))
     assert "4R" in str(curves.panels[0].title)
     assert machine_page(found, "Motion", piston="no such").drawing.mechanisms[0].name == "1L"
-    assert other.pistons == tuple(found.labels["piston"])
+    assert {one.name for one in other.pistons} == set(found.labels["piston"])
     assert page("burning_cylinder").pistons == ()
