@@ -7,7 +7,6 @@ from functools import cache
 from types import FunctionType, ModuleType
 from typing import Any, ParamSpec, TypeVar, cast
 
-from cranktrain.linkage.part import part_compiler
 from cranktrain.motion import chosen
 
 Parameters = ParamSpec("Parameters")
@@ -60,6 +59,7 @@ def compiled(
 def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, within: bool) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     from cranktrain.extras import imported  # only for who compiles
+    from cranktrain.linkage.part import part_compiler  # as above
 
     numba = imported("numba", "compiled")
     teach_choices()
