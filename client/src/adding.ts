@@ -9,6 +9,9 @@ import { said } from "./words.ts";
 /** How near a click is to what it takes, where it may take the ground as well, or lies beside a link. [px] */
 const NEAR = 14;
 
+/** So many times as far a click takes no pin. */
+const FAR_OFF = 5;
+
 /** How far a key moves the cross, and with shift. [px] */
 const STEP = 2;
 const FAR = 20;
@@ -53,7 +56,7 @@ export interface Taken<Target> {
   readonly at: Point;
 }
 
-/** Give what of some targets a click at a place takes: the nearest; the ground, if it may, where none is near. */
+/** Give what of some targets a click at a place takes: the nearest, of pins none that is far; the ground, if it may, where none is near. */
 export function taken<Target extends Pick<DrawnTarget, "pins">>(targets: readonly Target[], at: Point, place: (pin: string) => Point, near: number): Taken<Target> | null {
   const ground = targets.find((one) => one.pins.length === 0);
   let best: Taken<Target> | null = null;
@@ -69,7 +72,8 @@ export function taken<Target extends Pick<DrawnTarget, "pins">>(targets: readonl
       best = { target, at: pins.length === 1 || away < near ? foot : at };
     }
   }
-  return ground && !(least < near) ? { target: ground, at } : best;
+  if (ground && !(least < near)) return { target: ground, at };
+  return best?.target.pins.length === 1 && least > FAR_OFF * near ? null : best;
 }
 
 /** The nearest point of a span. */
@@ -119,7 +123,7 @@ export class Adding {
     });
     this.cross.addEventListener("keydown", (event) => { this.move(event); });
     this.cross.addEventListener("click", () => { void this.take(this.aimed); });
-    document.addEventListener("keydown", (event) => { if (event.key === "Escape" && this.begun) this.end(); });
+    document.addEventListener("keydown", (event) => { if (event.key === "Escape") this.end(); });
   }
 
   /** Whether a part is being added. */
@@ -226,7 +230,8 @@ export class Adding {
   }
 
   /** End it, and go back to where it was begun. */
-  private end(begun = this.begun): void {
+  end(begun = this.begun): void {
+    if (!begun) return;
     this.begun = null;
     this.around.redraw();
     this.fill();
@@ -250,6 +255,7 @@ export class Adding {
     const first = this.targets.querySelector<HTMLElement>(".target");
     if (!first) this.aim(at.x, at.y);
     (first ?? this.cross).focus({ preventScroll: true });
+    this.prompt.scrollIntoView({ block: "nearest" });
   }
 
   /** Take what a click took, and add the part with the last. */

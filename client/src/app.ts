@@ -337,8 +337,9 @@ class App {
   }
 
   private blame(problems: readonly Problem[]): void {
-    if (this.form) this.form.blame(problems);
-    else this.view.replaceChildren(html("div", { class: "problems", role: "alert" }, ...lines(problems)));
+    const file = this.steps.now.sent?.name;
+    if (this.form) this.form.blame(problems, file);
+    else this.view.replaceChildren(html("div", { class: "problems", role: "alert" }, ...lines(problems, file)));
     this.bar.steps((by) => this.steps.has(by));
   }
 

@@ -12,6 +12,9 @@ export interface Problem {
   readonly given: string | null;
   readonly allowed: string;
   readonly repair: string | null;
+  /** Where it stands in the text of the machine file, from 1. */
+  readonly line?: number | null;
+  readonly column?: number | null;
   /** Texts that would be right there. */
   readonly instead: readonly string[];
 }
@@ -59,8 +62,8 @@ export class Form {
     this.fields.get(path)?.input.select();
   }
 
-  /** Show what is wrong, each beside its number; what is of none stands above all. */
-  blame(problems: readonly Problem[]): void {
+  /** Show what is wrong, each beside its number; what is of none stands above all, with the name of the file that was sent. */
+  blame(problems: readonly Problem[], file = ""): void {
     for (const { input, said } of this.fields.values()) {
       if (input.hasAttribute("aria-invalid")) input.removeAttribute("aria-invalid");
       if (said.hasChildNodes()) said.replaceChildren();
@@ -79,7 +82,8 @@ export class Form {
         return button;
       }));
     }
-    this.rest.replaceChildren(...lines(others));
+    this.rest.replaceChildren(...lines(others, file));
+    if (others.length && !this.element.contains(document.activeElement)) this.rest.scrollIntoView({ block: "center" });
   }
 
   private row(one: PageInput, asInFile: string): HTMLElement {
@@ -117,9 +121,12 @@ export function stepOf(text: string, by: number): string {
   return text.replace(found[1], (Number(found[1]) + by).toFixed(decimals));
 }
 
-/** Problems that stand beside no field, a line each. */
-export function lines(problems: readonly Problem[]): HTMLElement[] {
-  return problems.map((one) => html("p", {}, `✗ ${one.path} `, sentence(one)));
+/** Problems that stand beside no field, a line each: where in which file, what, and why. */
+export function lines(problems: readonly Problem[], file = ""): HTMLElement[] {
+  return problems.map((one) => {
+    const where = [file, one.line, one.column].filter(Boolean).join(":");
+    return html("p", {}, ["✗", where, one.path, sentence(one)].filter(Boolean).join(" "));
+  });
 }
 
 /** Say a problem. */

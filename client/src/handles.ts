@@ -102,6 +102,7 @@ export class Handles {
 
   toggle(): void {
     if (!this.editing) return;
+    this.adding.end();
     this.button.setAttribute("aria-pressed", `${!this.isOn}`);
     this.take(this.editing);
   }

@@ -16,8 +16,9 @@ interface Target {
 }
 
 describe("what a click takes", () => {
-  it("is the nearest pin, however far, where pins are all it takes", () => {
-    assert.deepEqual(taken([a, b, gone], { x: 70, y: 400 }, place, 10), { target: b, at: PLACES["B"] });
+  it("is the nearest pin that is not far, where pins are all it takes", () => {
+    assert.deepEqual(taken([a, b, gone], { x: 70, y: 30 }, place, 10), { target: b, at: PLACES["B"] });
+    assert.equal(taken([a, b, gone], { x: 70, y: 400 }, place, 10), null);
   });
   it("is a link at the foot of what is near it", () => {
     assert.deepEqual(taken([link, ground], { x: 40, y: 9 }, place, 10), { target: link, at: { x: 40, y: 0 } });
@@ -27,6 +28,7 @@ describe("what a click takes", () => {
     const at = { x: 40, y: 12 };
     assert.deepEqual(taken([link, ground], at, place, 10), { target: ground, at });
     assert.deepEqual(taken([link], at, place, 10), { target: link, at });
+    assert.deepEqual(taken([link], { x: 40, y: 400 }, place, 10), { target: link, at: { x: 40, y: 400 } });
   });
   it("is any place where the ground is all it takes", () => {
     const at = { x: -5, y: 7 };

@@ -1,5 +1,6 @@
 """The page of the service in a real browser: numbers are changed, what is wrong stands beside them, nothing is lost."""
 
+import itertools
 import re
 import tomllib
 
@@ -457,6 +458,30 @@ def test_a_machine_file_may_end_in_capitals(opened):
     text = page.request.post(page.url.partition("#")[0] + "api/file", data={"machine": "textbook_78x78"}).body()
     page.locator("input[type=file]").set_input_files({"name": "ENGINE.TOML", "mimeType": "", "buffer": text})
     page.locator("h1", has_text="78 × 78").wait_for()
+
+
+def test_what_is_wrong_with_a_file_is_said_with_its_name_and_line_where_it_is_seen_on_a_phone_too(opened):
+    page = opened("#machine=3d12&phi=0")
+    page.set_viewport_size({"width": 390, "height": 844})
+    text = b'[mechanism]\nkind = "chian"\n'
+    page.locator("input[type=file]").set_input_files({"name": "press.toml", "mimeType": "", "buffer": text})
+    said = page.locator(".problems p", has_text="press.toml:2:8 mechanism.kind chian")
+    said.wait_for()
+    page.wait_for_function("one => one.getBoundingClientRect().bottom < innerHeight - 60", arg=said.element_handle())
+
+
+def test_behind_the_dots_of_a_phone_nothing_lies_on_anything_else(opened):
+    page = opened("#machine=3d12&phi=0")
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.locator(".others").click()
+    parts = "header.bar :is(button, select, label > span)"
+    boxes = [box for one in page.locator(parts).all() if (box := one.bounding_box()) is not None]
+    assert len(boxes) > 8
+    assert all(box["width"] > 30 for box in boxes)
+    for one, other in itertools.combinations(boxes, 2):
+        is_beside = one["x"] + one["width"] <= other["x"] or other["x"] + other["width"] <= one["x"]
+        is_above = one["y"] + one["height"] <= other["y"] or other["y"] + other["height"] <= one["y"]
+        assert is_beside or is_above, (one, other)
 
 
 def test_what_does_not_answer_is_told_and_the_page_goes_on(chromium, tmp_path):

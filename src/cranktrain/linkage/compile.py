@@ -59,7 +59,6 @@ def compiled(
 def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, within: bool) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     from cranktrain.extras import imported  # only for who compiles
-    from cranktrain.linkage.part import part_compiler  # as above
 
     numba = imported("numba", "compiled")
     teach_choices()
@@ -76,7 +75,7 @@ def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | 
     # which costs a sixth of its time; a kernel's private parts it may weigh, or long kernels would take minutes.
     # Said in so many words, as else it would take after the function that calls it first.
     inlined = not kernel.__name__.startswith("_")
-    options = {**WITHIN, "pipeline_class": part_compiler()} if within else {}
+    options = WITHIN if within else {}
     return numba.njit(error_model="numpy", fastmath=set(faster) or False, forceinline=inlined, **options)(copy)
 
 

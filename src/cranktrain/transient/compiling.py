@@ -7,7 +7,6 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 from cranktrain.linkage.compile import FROM_PYTHON, WITHIN, teach_choices
 from cranktrain.linkage.kept import fingerprint, keep
-from cranktrain.linkage.part import part_compiler
 from cranktrain.motion import chosen
 
 Parameters = ParamSpec("Parameters")
@@ -19,19 +18,14 @@ _AS_WRITTEN: frozenset[str] = frozenset()
 
 
 def quick(
-    function: Callable[Parameters, Outcome],
-    faster: frozenset[str] = _AS_WRITTEN,
-    *,
-    within: bool = False,
-    is_kept: bool = False,
+    function: Callable[Parameters, Outcome], faster: frozenset[str] = _AS_WRITTEN, *, within: bool = False
 ) -> Callable[Parameters, Outcome]:
     """Compile a function, and those that it calls by its globals or that were joined into it, once.
 
     What Numba has compiled already is taken as it is. Faster says how sums and products may be put together otherwise
-    than they are written, in the words of LLVM; within, whether other compiled code alone calls it, and never Python;
-    is kept, whether it is to be kept on disk, for which it has to be machine code.
+    than they are written, in the words of LLVM; within, whether other compiled code alone calls it, and never Python.
     """
-    return cast(Callable[Parameters, Outcome], _quick(function, faster, within, is_kept))
+    return cast(Callable[Parameters, Outcome], _quick(function, faster, within))
 
 
 def kept(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
@@ -41,13 +35,13 @@ def kept(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcom
 
 @cache
 def _kept(function: Any) -> Any:
-    made = quick(function, is_kept=True)
+    made = quick(function)
     keep(made)
     return made
 
 
 @cache
-def _quick(function: Any, faster: frozenset[str], within: bool, is_kept: bool = False) -> Any:
+def _quick(function: Any, faster: frozenset[str], within: bool) -> Any:
     if not isinstance(function, FunctionType):
         return function
     import numba
@@ -70,8 +64,6 @@ def _quick(function: Any, faster: frozenset[str], within: bool, is_kept: bool = 
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
     options = WITHIN if within else FROM_PYTHON
-    if within and not is_kept:
-        options = {**options, "pipeline_class": part_compiler()}
     made: Any = numba.njit(
         error_model="numpy", nogil=True, fastmath=set(faster) or False, forceinline=is_part, **options
     )

@@ -111,7 +111,7 @@ def _place(point: Point) -> Array:
 
 def _refusal(clicked: Clicked, allowed: Words) -> InputError:
     """Say what is wrong with what was clicked."""
-    return InputError([Problem("addition", clicked.name, allowed)])
+    return InputError([Problem("addition", clicked.name or None, allowed)])
 
 
 def _followed(shown: _Shown, clicks: Sequence[Clicked]) -> AddedTable:
@@ -139,6 +139,9 @@ def _pair(shown: _Shown, clicks: Sequence[Clicked]) -> AddedTable:
     start, end, at = shown.pin(first), shown.pin(last), np.array([joint.x, joint.y])
     if first.name == last.name:
         raise _refusal(last, _("is where the first link begins; take another pin"))
+    for pin, clicked in ((start, first), (end, last)):
+        if shown.typing.is_small(float(np.hypot(*(at - pin)))):
+            raise _refusal(clicked, _("is where both links would meet; let them meet elsewhere"))
     (x, y), (across, up) = end - start, at - start
     part: dict[str, Any] = {
         "type": "pin",
@@ -174,9 +177,11 @@ def _slide(shown: _Shown, clicks: Sequence[Clicked]) -> AddedTable:
     """A link with a slider on a fixed guide."""
     first, slider, toward = clicks
     start, at = shown.pin(first), np.array([slider.x, slider.y])
+    if shown.typing.is_small(float(np.hypot(*(at - start)))):
+        raise _refusal(first, _("is where the slider would be, on a link of no length; put it elsewhere"))
     way = np.array([toward.x, toward.y]) - at
     if shown.typing.is_small(float(np.hypot(*way))):
-        raise _refusal(toward, _("says no direction, so near to the slider's pin"))
+        raise _refusal(toward, _("the third click says no direction, so near to the slider's pin"))
     degrees = _round_direction(float(np.degrees(np.arctan2(way[1], way[0]))))
     along = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
     across = np.array([-along[1], along[0]])

@@ -110,7 +110,7 @@ def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outc
 
 def called(function: Callable[Parameters, Outcome], *, within: bool = True) -> Callable[Parameters, Outcome]:
     """Compile a long loop, which is called, within compiled code or from Python, and keep what comes out."""
-    compiled = quick(function, FASTER, within=within, is_kept=True)
+    compiled = quick(function, FASTER, within=within)
     keep(compiled, *map(getsource, (given, nodes, panels)))
     return compiled
 
