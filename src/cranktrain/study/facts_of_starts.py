@@ -34,7 +34,7 @@ from cranktrain.transient.runs import loop_of
 
 FACTS_SHOWN = ("start_duration", "largest_motor_torque", "effective_motor_torque", "final_motor_heat")
 """Of starts, unless others are asked for."""
-_COMPILING, _LOADING = 12.0, 0.5
+_COMPILING, _LOADING = 20.0, 0.5
 """How long it takes to compile starts, and to load what was compiled before: from when on plain ones are longer. [s]"""
 _compiled = set[Kernels]()
 """What this process has compiled."""
