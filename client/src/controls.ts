@@ -30,8 +30,9 @@ export class Controls {
     this.steps = [this.stepping(-1), this.stepping(1)];
     this.play.addEventListener("click", () => { this.cursor.toggle(); });
     this.slider.addEventListener("input", () => {
+      const place = Number(this.slider.value); // which what stops moves to where it stops
       this.cursor.stop();
-      this.cursor.stand(Number(this.slider.value));
+      this.cursor.stand(place);
     });
     this.pace.addEventListener("change", () => {
       if (this.cursor instanceof Passing) this.cursor.rate = number(this.cursor.course.paces[this.pace.selectedIndex]?.rate);

@@ -37,6 +37,7 @@ from cranktrain.questions.cylinders.spec import CylindersSpec
 from cranktrain.questions.evenness.spec import EvennessSpec
 from cranktrain.questions.gas.spec import GasTables
 from cranktrain.spec import Spec, problems, with_tuples
+from cranktrain.spec_class import listed_property
 from cranktrain.typed_file import TypedFile
 
 ARRANGING = ("angle", "bank", "mechanism", "running", "shaft")
@@ -252,12 +253,12 @@ class Machine(Spec, frozen=True):
         yield from judged(shaft_problems(self.shaft, self.banks))
         yield from unit_problems(self.units)
 
-    @cached_property
+    @listed_property
     def shafts(self) -> Mapping[str, ShaftSpec]:
         """The shafts by name; `main` is there whether the file has a table for it or not."""
         return {MAIN: ShaftSpec(), **self.shaft}
 
-    @cached_property
+    @listed_property
     def banks(self) -> Mapping[str, BankSpec]:
         """The banks by name; a bare `[mechanism]` is a bank of one, without a name."""
         alone: dict[str, Any] = {"angle": (self.angle,), "mechanism": (self.mechanism,), "throws": (1,)}
@@ -306,7 +307,7 @@ class Machine(Spec, frozen=True):
             homes |= {f"bank.{name}.{end}.": piston for end, piston in bank.opposed.items()}
         return homes
 
-    @cached_property
+    @listed_property
     def orientation(self) -> Orientation:
         """How it stands and runs."""
         return Orientation(first_axis(self.banks), self.rotation == "clockwise", self.is_astern)
@@ -341,8 +342,7 @@ class Machine(Spec, frozen=True):
     @cached_property
     def kinds(self) -> tuple[str, ...]:
         """Names of the kinds of its mechanisms."""
-        there = {place.spec.kind for place in self.places}
-        return tuple(filter(there.__contains__, KINDS.names))
+        return tuple(filter({place.spec.kind for place in self.places}.__contains__, KINDS.names))
 
     @property
     def cycle(self) -> float:
@@ -391,7 +391,7 @@ class Machine(Spec, frozen=True):
 
 
 _FOUND = {name for name, held in vars(Machine).items() if isinstance(held, cached_property)} - {"declared", "typed_in"}
-"""What is found of what a machine declares: once, however often it runs, as that does not change."""
+"""What is found of what a machine declares: once, however often it runs."""
 
 
 def machine_problems(machine: Machine, *, partial: bool = False) -> tuple[Problem, ...]:

@@ -24,13 +24,15 @@ from cranktrain.grouping import grouped
 from cranktrain.language import Words, _
 from cranktrain.paths import path_text, value_at
 from cranktrain.quantities import NOWHERE, Given, nearest, one_of, unknown_key, unlisted, written
-from cranktrain.spec_class import SpecClass
+from cranktrain.spec_class import SpecClass, listed_property
 
 
 class Spec(BaseModel, frozen=True, metaclass=SpecClass):
     """A table of the machine file: frozen, no unknown keys, nothing coerced; its lists become tuples."""
 
-    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, defer_build=True)
+    model_config = ConfigDict(
+        extra="forbid", strict=True, allow_inf_nan=False, defer_build=True, ignored_types=(listed_property,)
+    )
 
     of_file: ClassVar[frozenset[str]] = frozenset()
     """Fields that say where a curve's numbers are and how they are read: as numbers, they may differ among designs."""

@@ -254,6 +254,13 @@ def test_who_wants_little_motion_gets_none(opened):
     assert angle(page) == 0.0
 
 
+def test_the_slider_is_taken_where_it_is_put_while_the_crank_turns(opened):
+    page = opened("burning_cylinder", "")
+    page.wait_for_function("Number(document.querySelector('input[type=range]').value) > 3")
+    page.locator("input[type=range]").fill("200")
+    assert page.locator("output.angle").inner_text() == "φ = 200°"
+
+
 def test_in_the_frame_of_a_notebook_it_is_the_same_page(chromium, tmp_path):
     path = tmp_path / "notebook.html"
     path.write_text(f"<!doctype html>{ct.run('burning_cylinder').view()._repr_html_()}", encoding="utf-8")

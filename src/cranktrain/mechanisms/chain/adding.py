@@ -16,6 +16,7 @@ from cranktrain.mechanisms.chain.table import chain_geometry, structure_of
 from cranktrain.motion import Array, Link, Point
 from cranktrain.numerics import turn_grid
 from cranktrain.numerics.round_steps import decimals_of, round_below
+from cranktrain.numerics.ties import smallest_of
 from cranktrain.quantities import shown
 from cranktrain.quantities.number import measured
 
@@ -210,7 +211,7 @@ def _round_direction(degrees: float) -> float:
 def _beside_fixed(shown: _Shown, at: Array, across: Array) -> tuple[float, str]:
     """Give the fixed point that a guide through a place misses least, and by how much, to the guide's left. [m]"""
     offsets = {name: float(across @ (at - _place(shown.made[name]))) for name in (SHAFT, *shown.spec.fixed)}
-    through = min(offsets, key=lambda name: abs(offsets[name]))
+    through = smallest_of(offsets, lambda name: abs(offsets[name]))
     return 0.0 if shown.typing.is_small(offsets[through]) else offsets[through], through
 
 
