@@ -32,8 +32,8 @@ const TURNING = [2.2, 2.9] as const;
 
 /** Length of the arrow of the largest load in parts of the picture's longer side. */
 const ARROW = 0.16;
-/** In which part of the picture, from its left, names stand to the right of their arrows. */
-const LEFT_OF = 0.75;
+/** Width of a letter of what stands beside an arrow, about. [px] */
+const LETTER = 7;
 
 const LESS = 1e-9;
 
@@ -203,6 +203,11 @@ export class Mechanism {
     this.vectors = new DrawnVectors(sorts, pin, this.cycle, this.edges);
     this.layer.replaceChildren(...this.vectors.elements);
     this.vectors.show(this.shown);
+  }
+
+  /** What a pixel of the window is in the picture. */
+  private get pixel(): number {
+    return parseFloat(this.element.style.getPropertyValue("--pixel")) || 1;
   }
 
   /** Width in parts of the height. */
@@ -561,7 +566,8 @@ export class Mechanism {
       const start = { x: end.x - way.x * part * long, y: end.y - way.y * part * long };
       arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, Math.atan2(end.y - start.y, end.x - start.x))}`);
       const { x, width } = this.element.viewBox.baseVal;
-      const isRight = start.x > x + LEFT_OF * width;
+      const far = x + width - start.x;
+      const isRight = LETTER * this.pixel * (label.textContent?.length ?? 0) > far && start.x - x > far;
       label.setAttribute("text-anchor", isRight ? "end" : "start");
       label.setAttribute("x", `${start.x + (isRight ? -5 : 5)}`);
       label.setAttribute("y", `${start.y - 4}`);
