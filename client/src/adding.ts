@@ -3,7 +3,7 @@
 import type { AddingWords, DrawnAddition, DrawnTarget } from "./data.ts";
 import { html, svg } from "./elements.ts";
 import { roomier, type Mechanism, type View } from "./mechanism.ts";
-import { xy, type Point } from "./points.ts";
+import { polyline, type Point } from "./points.ts";
 import { said } from "./words.ts";
 
 /** How near a click is to what it takes, where it may take the ground as well, or lies beside a link. [px] */
@@ -154,7 +154,7 @@ export class Adding {
     }
     const all = [...this.clicks, ...(aimed ? [aimed] : [])];
     const places = all.map((one) => this.pictured(one));
-    const band = places.length > 1 ? [svg("path", { class: "band", d: places.map((one, place) => `${place ? "L" : "M"}${xy(one)}`).join("") })] : [];
+    const band = places.length > 1 ? [svg("path", { class: "band", d: polyline(places) })] : [];
     mechanism.mark([...band, ...all.flatMap((one, place) => this.marks(one, places[place] as Point, one === aimed))]);
     this.stand();
   }
@@ -164,7 +164,7 @@ export class Adding {
     const mark = isAimed ? "aimed" : "taken";
     if (pins.length === 1) return [svg("circle", { class: mark, cx: at.x, cy: at.y, r: RING })];
     const point = svg("circle", { class: `${mark} point`, cx: at.x, cy: at.y, r: 4 });
-    if (pins.length > 1) return [svg("path", { class: `${mark} link`, d: pins.map((pin, place) => `${place ? "L" : "M"}${xy(pin)}`).join("") }), point];
+    if (pins.length > 1) return [svg("path", { class: `${mark} link`, d: polyline(pins) }), point];
     return [svg("path", { class: mark, d: `M${at.x - RING} ${at.y}h${2 * RING}M${at.x} ${at.y - RING}v${2 * RING}` }), point];
   }
 

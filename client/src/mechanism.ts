@@ -3,7 +3,7 @@
 import type { DrawnHandle, LinkDrawing, LoadDrawing, MachineDrawing, MechanismDrawing, Numbers, OutputDrawing, PinVector, VectorsToScale } from "./data.ts";
 import { picture, svg } from "./elements.ts";
 import { at, between, extent, figures, number, row } from "./numbers.ts";
-import { barbs, xy, type Point } from "./points.ts";
+import { barbs, polyline, xy, type Point } from "./points.ts";
 import { DrawnVectors, NARROW, SCALE_ROW, type Edges } from "./vectors.ts";
 
 /** Size of the picture, in its own units, along its longer side. */
@@ -133,7 +133,7 @@ export class Mechanism {
   /** Draw a ghost of it at a crank angle. [deg] */
   ghost(angle: number): SVGElement[] {
     const bars = this.ownLinks().map(({ of, link }) => {
-      const d = link.pins.map((name, place) => `${place ? "L" : "M"}${xy(this.pin(of, name, angle))}`).join("");
+      const d = polyline(link.pins.map((name) => this.pin(of, name, angle)));
       return svg("path", { d });
     });
     const sliders = this.drawing.mechanisms.flatMap((of) => {
@@ -382,7 +382,7 @@ export class Mechanism {
     if (of.is_slave && !link.is_crank) group.classList.add("slave");
     group.append(svg("title", {}, link.name));
     if (!isOutlined) {
-      const d = local.map((point, place) => `${place ? "L" : "M"}${xy(point)}`).join("");
+      const d = polyline(local);
       const isBody = local.length > 2 && Math.abs(area(local)) > 1;
       group.append(svg("path", { class: isBody ? "body" : "bar", d: isBody ? `${d}Z` : d }));
     } else if (link.is_crank) {

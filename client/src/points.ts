@@ -8,6 +8,9 @@ export interface Point {
 
 export const xy = (point: Point): string => `${point.x.toFixed(2)} ${point.y.toFixed(2)}`;
 
+/** A line from point to point. */
+export const polyline = (points: readonly Point[]): string => points.map((one, place) => `${place ? "L" : "M"}${xy(one)}`).join("");
+
 /** The two lines of an arrow's head, in a direction on the screen, clockwise. */
 export function barbs(end: Point, direction: number): string {
   const size = 8;

@@ -31,10 +31,12 @@ export class Throws {
   /** Offer pistons, of which one is shown; what is offered already stays. */
   take(pistons: readonly PagePiston[], throws: readonly PageThrow[], words: PageWords, shown: string): void {
     const of = [pistons, throws, words.pistons, words.throws];
+    const isNew = !same(this.of, of);
+    const isOther = isNew || this.shown !== shown;
     this.pistons = pistons;
     this.shown = shown;
     this.list.setAttribute("aria-label", words.pistons);
-    if (!same(this.of, of)) {
+    if (isNew) {
       this.of = of;
       this.list.replaceChildren(...pistons.map(choice));
       const shafts = [...new Set(throws.map((one) => one.shaft))];
@@ -42,7 +44,7 @@ export class Throws {
     }
     for (const one of this.list.querySelectorAll("input")) {
       one.checked = one.value === shown;
-      if (one.checked) this.reveal(one.parentElement as HTMLElement);
+      if (one.checked && isOther) this.reveal(one.parentElement as HTMLElement);
     }
     const on = pistons.find((one) => one.name === shown);
     for (const ray of this.stars.querySelectorAll("g")) ray.classList.toggle("chosen", on !== undefined && names(ray).includes(keyOf(on.shaft, on.throw)));

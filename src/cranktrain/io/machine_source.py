@@ -10,7 +10,7 @@ from cranktrain.io.curve_files import CurveReader, among, beside, with_curves
 from cranktrain.io.document import Document
 from cranktrain.io.machine_file import MachineFile, document_of, folder_of, with_set, with_settings
 from cranktrain.machine import Machine, machine_problems
-from cranktrain.paths import PathParts, item_at, path_text
+from cranktrain.paths import item_at, path_text
 from cranktrain.record import record
 
 _TEXT = "machine.toml"
@@ -36,21 +36,15 @@ class MachineSource:
 
     def with_set(self, settings: Sequence[str] = (), *, partial: bool = False) -> MachineFile:
         """Read the machine with some values set anew; parameters and errors as of `read_machine`."""
-        document, paths = with_settings(self.document, settings)
-        machine = self._changed(document.data, paths, partial=partial) if paths else None
-        if machine is None:
-            return self._read(settings, partial=partial)
-        return MachineFile(document, machine)
-
-    def _changed(self, data: Mapping[str, object], paths: Sequence[PathParts], *, partial: bool) -> Machine | None:
-        """Give the machine as typed with other values at some paths; None where more is to be said of it."""
-        if self._machine is None:
-            return None
-        try:
-            machine = self._machine.with_({path_text(path): item_at(data, path) for path in paths})
-        except InputError:
-            return None
-        return None if machine_problems(machine, partial=partial) else machine
+        if settings and self._machine is not None:
+            document, paths = with_settings(self.document, settings)
+            try:
+                machine = self._machine.with_({path_text(path): item_at(document.data, path) for path in paths})
+                if not machine_problems(machine, partial=partial):
+                    return MachineFile(document, machine)
+            except InputError:  # of which more is told where all of it is read
+                pass
+        return self._read(settings, partial=partial)
 
     @cached_property
     def _machine(self) -> Machine | None:

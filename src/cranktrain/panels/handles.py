@@ -12,6 +12,7 @@ from cranktrain.machine import Machine
 from cranktrain.mechanisms.by_hand import FINE, Handle
 from cranktrain.motion import Array
 from cranktrain.numerics.round_steps import round_below
+from cranktrain.panels.members import are_one
 from cranktrain.paths import PathParts, parts_of, path_text
 from cranktrain.plans.link_points import followed_pin
 from cranktrain.plans.placement import placed
@@ -28,8 +29,6 @@ _MOST = 2
 """Numbers that one pin changes: it has two coordinates."""
 _CHANGE = 1e-6
 """Of a number, by which its slope is found, in parts of it or of 1."""
-_ALIKE = 1e-9
-"""Pins that are never farther apart are one. [m]"""
 _FIGURES = 50.0
 """So many steps of a number, or some more, are the number itself."""
 
@@ -152,7 +151,7 @@ def _is_same(one: _Held, other: _Held) -> bool:
     alike = {path: given.text for path, given in one.typed.items()} == {
         path: given.text for path, given in other.typed.items()
     }
-    return alike and bool(np.nanmax(np.abs(one.at - other.at), initial=0.0) < _ALIKE)
+    return alike and are_one(one.at, other.at)
 
 
 def _numbers(machine: Machine, one: _Held, others: Sequence[_Held], size: float) -> Iterator[HandledNumber]:

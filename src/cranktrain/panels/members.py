@@ -117,7 +117,7 @@ def _number(drawing: Drawing, mechanism: str, name: str, known: list[MovingPin],
     """Number of a pin among those that are known, to which it comes where it is another than they."""
     at = drawing.positions[name]
     for number, one in enumerate(known):
-        if np.array_equal(np.isnan(at), np.isnan(one.place)) and _apart(at, one.place) < _ALIKE:
+        if np.array_equal(np.isnan(at), np.isnan(one.place)) and are_one(at, one.place):
             if one.mechanism == mechanism:
                 known[number] = replace(one, names=(*one.names, name))
             return number
@@ -128,9 +128,9 @@ def _number(drawing: Drawing, mechanism: str, name: str, known: list[MovingPin],
     return len(known) - 1
 
 
-def _apart(one: Array, other: Array) -> float:
-    """How far two pins come apart. [m]"""
-    return float(np.nanmax(np.abs(one - other), initial=0.0))
+def are_one(one: Array, other: Array) -> bool:
+    """Whether two pins never come apart where both are known; X and Y over crank angles. [m]"""
+    return bool(np.nanmax(np.abs(one - other), initial=0.0) < _ALIKE)
 
 
 def _direction(start: Point, end: Point) -> Coefficient:
