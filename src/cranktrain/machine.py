@@ -1,6 +1,5 @@
 """The declared machine: the domains' tables together, and what only they together can check."""
 
-import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from os import PathLike
@@ -25,12 +24,12 @@ from cranktrain.layout.load_tables import LoadSpec, LoadTables, cycle_of, in_pla
 from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.question import Question
-from cranktrain.layout.shaft_problems import layout_problems, shaft_problems
-from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, OpposedPistonSpec, ShaftSpec
+from cranktrain.layout.shaft_problems import bank_problems, layout_problems, shaft_problems
+from cranktrain.layout.specs import MAIN, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import KINDS, AnyMechanism
 from cranktrain.motion import Array
-from cranktrain.paths import path_text, values_by_path, with_values
+from cranktrain.paths import values_by_path, with_values
 from cranktrain.quantities import Angle, Given
 from cranktrain.questions.balance.spec import BalanceSpec
 from cranktrain.questions.cylinders.spec import CylindersSpec
@@ -158,6 +157,14 @@ class Machine(Spec, frozen=True):
         return {}
 
     @cached_property
+    def alike(self) -> dict[type, Any]:
+        """What is kept of machines that come from one another by `with_`, which costs less time where it can be used.
+
+        Whoever keeps something has a class for it, by which it stands here, and of which nothing is sent or copied.
+        """
+        return {}
+
+    @cached_property
     def typed_in(self) -> TypedFile:
         """Where it is from; of a machine made in Python nothing is known."""
         return TypedFile()
@@ -216,7 +223,7 @@ class Machine(Spec, frozen=True):
         # What is wrong is told in the units of its time.
         is_right = "arranged" in vars(self) and self.places and not vars(self).get("closing_problems")
         changed = read_like(self, data, self.declared, _RESTS_ON if is_right else {})
-        vars(changed)["declared"] = data
+        vars(changed).update(declared=data, alike=self.alike)
         return changed.coming_from(self.typed_in)
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
@@ -242,14 +249,7 @@ class Machine(Spec, frozen=True):
         elif self.mechanism is not None and len(self.main_shaft.throws) > 1:
             allowed = _("must be one throw for one [mechanism]; for more, make it a bank, [bank.NAME.mechanism]")
             yield Problem("shaft.main.throws", None, allowed)
-        for name in self.bank:
-            if not re.fullmatch(r"[^\W\d]\w*", name) or name in CylindersSpec.model_fields:
-                allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
-                yield Problem(path_text(("bank", name)), None, allowed)
-        n_mechanisms = sum(bank.n_mechanisms(self.shafts) for bank in self.bank.values())
-        if n_mechanisms > MOST_MECHANISMS:
-            allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
-            yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
+        yield from bank_problems(self.bank, self.shafts, CylindersSpec.model_fields)
         yield from judged(shaft_problems(self.shaft, self.banks))
         yield from unit_problems(self.units)
 

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Self, cast, final
 import numpy as np
 
 from cranktrain.analysis.grids import are_wide, coarse_curves, has_curves, with_curves
+from cranktrain.analysis.kept_outcomes import KeptOutcomes
 from cranktrain.analysis.shapes import refuse_misshapen
 from cranktrain.analysis.stages import ordered, spoken
 from cranktrain.how_far import say_how_far
@@ -26,9 +27,10 @@ Labels = Mapping[str, tuple[str, ...]]
 class StageRun:
     """Stages of some parts, each run when what it gives is asked for; nobody asks for what others lack."""
 
-    def __init__(self, stages: Sequence[Stage], parts: Parts) -> None:
+    def __init__(self, stages: Sequence[Stage], parts: Parts, kept: KeptOutcomes | None = None) -> None:
         self._order = ordered(tuple(stages))
         self._known: dict[type, Any] = dict(parts)
+        self._kept, self._own_parts = kept, set(parts)
         self.labels: dict[str, tuple[str, ...]] = {}
         """Names along the dimensions of all that is known."""
         for part in parts.values():
@@ -73,7 +75,7 @@ class StageRun:
     def as_now(self) -> Self:
         """Give a run that knows what this one knows now, whatever this one finds later."""
         other = copy(self)
-        vars(other).update(_known=dict(self._known))
+        vars(other).update(_known=dict(self._known), _own_parts=set(self._own_parts))
         return other
 
     def _way(self, kinds: Iterable[type]) -> list[Stage]:
@@ -87,10 +89,19 @@ class StageRun:
 
     def _given_by(self, stage: Stage) -> object:
         """Run a stage."""
+        needs = {name: self._need(need) for name, need in stage.needs.items()}
         try:
-            return stage.function(**{name: self._known.get(need) for name, need in stage.needs.items()})
+            return stage.function(**needs) if self._kept is None else self._kept.outcome(stage, needs)
         except AttributeError as error:  # which would say of a result that it has no such quantity
             raise RuntimeError(f"{stage.outcome} could not be computed: {error}") from error
+
+    def _need(self, kind: type) -> object | None:
+        """Give a part or an outcome that there is: the part that is kept, where it is the same."""
+        found = self._known.get(kind)
+        if self._kept is not None and kind in self._own_parts:
+            found = self._known[kind] = self._kept.part(found)
+            self._own_parts.discard(kind)
+        return found
 
 
 def run_stages(stages: Sequence[Stage], parts: Parts, absent: Iterable[str]) -> dict[type, object]:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cranktrain.analysis.grids import FACTS_STEP, has_curves, on_grid
+from cranktrain.analysis.kept_outcomes import kept_outcomes
 from cranktrain.analysis.outcomes import Finding, Outcomes, StageRun
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
@@ -168,7 +169,8 @@ def _run(
     parts = _at_speed(parts_of(machines, step=FACTS_STEP), speed, steps.every, step)
     absent = lacking(steps.known, parts)
     chosen = [one for one in steps.chosen if one.outcome not in absent]
-    facts = curves = StageRun(chosen, parts)
+    kept = None if has_designs else kept_outcomes(machines[0])
+    facts = curves = StageRun(chosen, parts, kept)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
     if abs(step / n_between - FACTS_STEP) > _ONE_STEP:

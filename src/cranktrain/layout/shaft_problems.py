@@ -1,14 +1,29 @@
-"""What is wrong with shafts, seen beside the banks that they carry, and with how mechanisms stand on them."""
+"""What is wrong with shafts and with the banks that they carry, and with how mechanisms stand on them."""
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Container, Iterator, Mapping
 
 from cranktrain.errors import Problem, judged
 from cranktrain.language import _
 from cranktrain.layout.crank_bodies import pin_problems
 from cranktrain.layout.design import Design
-from cranktrain.layout.specs import MAIN, BankSpec, ShaftSpec
+from cranktrain.layout.specs import MAIN, MOST_MECHANISMS, BankSpec, ShaftSpec
 from cranktrain.layout.standing import standing_problems
 from cranktrain.paths import path_text
+
+
+def bank_problems(
+    banks: Mapping[str, BankSpec], shafts: Mapping[str, ShaftSpec], keys: Container[str]
+) -> Iterator[Problem]:
+    """Find banks whose names are none, or are `keys` of the table of cylinders, and too many mechanisms in all."""
+    for name in banks:
+        if not re.fullmatch(r"[^\W\d]\w*", name) or name in keys:
+            allowed = _("must have a name of letters, digits and _, a letter first, that is no key of [cylinder]")
+            yield Problem(path_text(("bank", name)), None, allowed)
+    n_mechanisms = sum(bank.n_mechanisms(shafts) for bank in banks.values())
+    if n_mechanisms > MOST_MECHANISMS:
+        allowed = _("gives {n} mechanisms; a machine may have at most {limit}")
+        yield Problem("bank", None, allowed.format(n=n_mechanisms, limit=MOST_MECHANISMS))
 
 
 def shaft_problems(shafts: Mapping[str, ShaftSpec], banks: Mapping[str, BankSpec]) -> Iterator[Problem]:

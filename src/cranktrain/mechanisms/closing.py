@@ -102,7 +102,7 @@ def _seen_from_far(
     """Whether links close by far, and whether they are open at one of some angles by more than nothing."""
     near = _NEAR * _all_lengths(kind, geometry)
     gaps = kind.gap(grid, geometry)
-    bend = np.abs(np.diff(gaps, 2, append=gaps[..., :2])).max(axis=-1, keepdims=True)
+    bend = _bend(gaps)
     least = gaps.min(axis=-1, keepdims=True)
     return ((least > _FAR * bend) & (least > near))[..., 0], (least < -near)[..., 0]
 
@@ -174,8 +174,8 @@ def _first_openings(kind: Kind[Motion, Geometry], geometry: Geometry) -> _Bracke
     gaps = kind.gap(_COARSE_GRID, tried(np.repeat(_CHANGES[:, np.newaxis], n_rows, axis=1)))
     bound = _CHANGES[np.argmax(np.any(gaps < 0, axis=(0, -1)), axis=0)]
     cell = bound / _CELLS
-    gap = _least_gap(kind, tried(cell * np.arange(_CELLS + 1)[:, np.newaxis]), _SCAN_GRID).value
-    is_open = gap[:, 1:, :, 0] < 0
+    gap = _about_least(kind, tried(cell * np.arange(_CELLS + 1)[:, np.newaxis]))
+    is_open = gap[:, 1:] < 0
     first = np.where(np.any(is_open, axis=1), np.argmax(is_open, axis=1), _CELLS)
     way, row = np.nonzero((first == np.min(first, axis=0)) & (first < _CELLS))
     place = first[way, row]
@@ -183,8 +183,27 @@ def _first_openings(kind: Kind[Motion, Geometry], geometry: Geometry) -> _Bracke
         Way(ways.length[way, np.newaxis], ways.sign[way, np.newaxis]),
         row,
         *((cell[row] * (place + end))[:, np.newaxis] for end in (0, 1)),
-        *(gap[way, place + end, row] for end in (0, 1)),
+        *(gap[way, place + end, row][:, np.newaxis] for end in (0, 1)),
     )
+
+
+def _about_least(kind: Kind[Motion, Geometry], geometry: Geometry) -> Array:
+    """Least gap over a turn, shape (...): of the right sign; where it is next to nothing, the very one."""
+    gaps = np.broadcast_arrays(kind.gap(_SCAN_GRID, geometry))[0]
+    least, bend = gaps.min(axis=-1), _bend(gaps)[..., 0]
+    is_unclear = (least >= 0) & (least < bend)
+    if np.any(is_unclear):
+        shape = (*least.shape, 1)
+        flat = mapped(lambda _name, value: np.broadcast_to(value, shape)[is_unclear], geometry)
+        least[is_unclear] = smallest(lambda phi: kind.gap(phi, flat), grid=_SCAN_GRID, samples=gaps[is_unclear]).value[
+            ..., 0
+        ]
+    return least
+
+
+def _bend(gaps: Array) -> Array:
+    """By how much gaps bend from point to point of a turn at most, shape (..., 1)."""
+    return np.abs(np.diff(gaps, 2, append=gaps[..., :2])).max(axis=-1, keepdims=True)
 
 
 def changed(lengths: Sequence[str], geometry: Geometry, way: Way, change: Array) -> Geometry:

@@ -1,0 +1,105 @@
+"""A changed number leaves what does not hang on it as it was; all else is found as of the machine by itself."""
+
+import copy
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+from operator import attrgetter
+
+import numpy as np
+import pytest
+
+import cranktrain as ct
+from cranktrain.analysis.kept_outcomes import KeptOutcomes
+from cranktrain.io.examples import example_names
+from cranktrain.io.machine_file import inputs_of, read_machine
+from cranktrain.questions.gas.pressures import GasPressures
+from cranktrain.questions.motion.closing import Closing
+from cranktrain.questions.motion.dead_centres import PistonTurn
+from cranktrain.questions.motion.grid_motion import GridMotion
+from cranktrain.saying.catalogue import entries
+
+SPEED, ROD, MASS = "shaft.main.speed", "bank.L.mechanism.rod_length", "masses.piston.mass"
+
+
+def by_itself(machine):
+    """The same machine, which comes from no other."""
+    return pickle.loads(pickle.dumps(machine))
+
+
+def numbers(result):
+    """All that a result gives, to the last bit."""
+    return {
+        (kind.__name__, entry.path): np.asarray(attrgetter(entry.path)(result.computed[kind])).tobytes()
+        for kind in result.computed.kinds
+        for entry in entries(kind)
+    }
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_a_changed_number_gives_what_the_machine_gives_by_itself(name):
+    file = read_machine(name)
+    inputs = [one for one in inputs_of(file) if one.given.si != 0.0]
+    ct.run(file.machine.with_({})).find_all()
+    for one in inputs[:: 1 + len(inputs) // 2]:
+        value, _, unit = one.given.text.partition(" ")
+        try:
+            changed = file.machine.with_({one.path: f"{float(value) * 1.001:.9g} {unit}".strip()})
+            expected = numbers(ct.run(by_itself(changed)))
+        except (ct.InputError, ValueError):  # what must be a whole number, or fit others
+            continue
+        assert numbers(ct.run(changed)) == expected, one.path
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "kept", "found_anew"),
+    [
+        (SPEED, "1600 rpm", {Closing, PistonTurn}, {GasPressures}),
+        (MASS, "5.1 kg", {Closing, GasPressures, GridMotion}, set()),
+        ("cylinder.bore", "151 mm", {Closing, GridMotion}, {GasPressures}),
+        (ROD, "321 mm", set(), {Closing, GasPressures, GridMotion}),
+    ],
+)
+def test_what_does_not_hang_on_a_number_is_the_same(path, value, kept, found_anew):
+    machine = ct.load("3d12")
+    before, after = (ct.run(one).computed for one in (machine.with_({}), machine.with_({path: value})))
+    for kind in kept | found_anew:
+        assert (after[kind] is before[kind]) == (kind in kept), kind
+
+
+def test_of_a_machine_that_was_never_changed_nothing_is_kept():
+    machine = ct.load("burning_cylinder")
+    first, second = ct.run(machine), ct.run(machine)
+    assert first.computed[Closing] is not second.computed[Closing]
+    assert "alike" not in vars(machine)
+
+
+def test_nothing_that_is_kept_is_sent_or_copied():
+    machine = ct.load("burning_cylinder").with_({SPEED: "1510 rpm"})
+    ct.run(machine).find_all()
+    size = len(pickle.dumps(machine.alike))
+    assert size < 200
+    for other in (by_itself(machine), copy.copy(machine)):
+        assert "alike" not in vars(other)
+    assert vars(copy.deepcopy(machine).alike[KeptOutcomes]) == vars(KeptOutcomes())
+
+
+def test_numbers_that_only_seem_alike_are_told_apart():
+    kept = KeptOutcomes()
+    for one, other in ((0.0, -0.0), (1, True), (1, 1.0), (np.float32(1), np.float64(1)), ((1.0,), [1.0])):
+        assert kept.part(np.array([one])) is not kept.part(np.array([other])) or type(one) is not type(other)
+        assert kept.part((one,)) is not kept.part((other,))
+    assert kept.part((np.nan, "3")) is kept.part((np.nan, "3"))
+
+
+def test_what_cannot_be_written_down_is_found_anew():
+    kept, part = KeptOutcomes(), (lambda: 3,)
+    assert kept.part(part) is part
+    assert kept.part((lambda: 3,)) is not part
+
+
+def test_threads_may_ask_machines_that_come_from_one_another():
+    machine = ct.load("burning_cylinder")
+    changed = [machine.with_({SPEED: f"{speed} rpm"}) for speed in range(1400, 1412)]
+    expected = [numbers(ct.run(by_itself(one))) for one in changed]
+    with ThreadPoolExecutor(4) as threads:
+        assert list(threads.map(lambda one: numbers(ct.run(one)), changed)) == expected
