@@ -4,21 +4,14 @@ Whether it does nobody declares. Stages give the same of the same; so what a sta
 and given again where it is given that, to the last bit.
 """
 
-import pickle
 from collections.abc import Mapping
 from typing import Any, NamedTuple, TypeVar, final
 
 from cranktrain.layout.question import Stage
 from cranktrain.machine import Machine
+from cranktrain.numerics.sameness import is_same
 
 Part = TypeVar("Part")
-
-
-class _Part(NamedTuple):
-    """A part, and all that is in it."""
-
-    content: bytes
-    part: Any
 
 
 class _Given(NamedTuple):
@@ -38,7 +31,7 @@ class KeptOutcomes:
     """
 
     def __init__(self) -> None:
-        self._parts: dict[type, _Part] = {}
+        self._parts: dict[type, Any] = {}
         self._given: dict[type, _Given] = {}
 
     def __reduce__(self) -> tuple[type["KeptOutcomes"], tuple[()]]:
@@ -47,14 +40,10 @@ class KeptOutcomes:
 
     def part(self, part: Part) -> Part:
         """Give the part that stages were given before, if this one is the same to the last bit; else this one."""
-        try:
-            content = pickle.dumps(part, pickle.HIGHEST_PROTOCOL)
-        except (AttributeError, TypeError, pickle.PicklingError):  # as of a function within a function
-            return part
-        before = self._parts.get(type(part))
-        if before is not None and before.content == content:
-            return before.part
-        self._parts[type(part)] = _Part(content, part)
+        before: Part | None = self._parts.get(type(part))
+        if before is not None and is_same(before, part):
+            return before
+        self._parts[type(part)] = part
         return part
 
     def outcome(self, stage: Stage, needs: Mapping[str, object]) -> object:
