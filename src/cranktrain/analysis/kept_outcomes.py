@@ -4,7 +4,7 @@ Whether it does nobody declares. Stages give the same of the same; so what a sta
 and given again where it is given that, to the last bit.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple, TypeVar, final
 
 from cranktrain.layout.question import Stage
@@ -14,12 +14,35 @@ from cranktrain.numerics.sameness import is_same
 Part = TypeVar("Part")
 
 
-class _Given(NamedTuple):
-    """What a stage was given, and what it gave of that."""
+_GONE: Any = object()
+"""Stands for an outcome that was let go."""
 
-    stage: Stage
-    needs: Mapping[str, object]
-    outcome: object
+
+class _Kept(NamedTuple):
+    """A part or an outcome.
+
+    Attributes
+    ----------
+    held : object
+    mark : object
+        That nothing else has: others say by it that they were given this.
+    stage : Stage or None
+        That gave an outcome.
+    given : mapping of str to object
+        The marks of what it was given.
+    telling : tuple of str
+        The needs whose change last made it another.
+    """
+
+    held: Any
+    mark: object
+    stage: Stage | None = None
+    given: Mapping[str, object] = {}
+    telling: tuple[str, ...] = ()
+
+    def changed(self, given: Mapping[str, object]) -> tuple[str, ...]:
+        """Give the needs that a stage is given now, by these marks, and was not given then."""
+        return tuple(name for name, mark in given.items() if mark is not self.given[name])
 
 
 @final
@@ -31,8 +54,7 @@ class KeptOutcomes:
     """
 
     def __init__(self) -> None:
-        self._parts: dict[type, Any] = {}
-        self._given: dict[type, _Given] = {}
+        self._kept: dict[type, _Kept] = {}
 
     def __reduce__(self) -> tuple[type["KeptOutcomes"], tuple[()]]:
         """Leave all behind where machines are sent or copied."""
@@ -40,18 +62,60 @@ class KeptOutcomes:
 
     def part(self, part: Part) -> Part:
         """Give the part that stages were given before, if this one is the same to the last bit; else this one."""
-        before: Part | None = self._parts.get(type(part))
-        if before is not None and is_same(before, part):
-            return before
-        self._parts[type(part)] = part
+        before = self._kept.get(type(part))
+        if before is not None and is_same(before.held, part):
+            return before.held
+        self._kept[type(part)] = _Kept(part, object())
         return part
 
     def outcome(self, stage: Stage, needs: Mapping[str, object]) -> object:
         """Give what a stage gives of parts and of what other stages gave, found now unless it was given them before."""
-        before = self._given.get(stage.gives)
-        if before is None or before.stage is not stage or any(before.needs[name] is not needs[name] for name in needs):
-            before = self._given[stage.gives] = _Given(stage, needs, stage.function(**needs))
-        return before.outcome
+        given = {name: self._mark(stage.needs[name], found) for name, found in needs.items()}
+        before = self._kept.get(stage.gives)
+        if before is None or before.stage is not stage:
+            return self._keep(stage, stage.function(**needs), given)
+        changed = before.changed(given)
+        if before.held is _GONE:
+            return self._keep(stage, stage.function(**needs), given, changed)
+        if not changed:
+            return before.held
+        outcome = stage.function(**needs)
+        if is_same(before.held, outcome):  # and so is all that hangs on it
+            self._kept[stage.gives] = before._replace(given=given)
+            return before.held
+        return self._keep(stage, outcome, given, changed)
+
+    def forget(self, stages: Iterable[Stage], known: Callable[[type], object]) -> None:
+        """Let go what these stages, in the order in which they run, will give anew as the last time.
+
+        Who moves a slider changes the same again and again. What nobody compares with goes all at once, before anything
+        else comes: that then finds its place in the processor's cache.
+        """
+        for stage in stages:
+            before = self._kept.get(stage.gives)
+            if before is None or before.stage is not stage or not before.telling:
+                continue
+            found = ((name, need, known(need)) for name, need in stage.needs.items())
+            given = {name: self._mark(need, self._held(need) if one is None else one) for name, need, one in found}
+            if before.changed(given) == before.telling:
+                self._kept[stage.gives] = before._replace(held=_GONE, mark=object())
+
+    def _held(self, kind: type) -> object:
+        """Give what is kept."""
+        kept = self._kept.get(kind)
+        return None if kept is None else kept.held
+
+    def _mark(self, kind: type, found: object) -> object:
+        """The mark of what a stage is given; of what is not kept, or no more, the thing itself."""
+        kept = self._kept.get(kind)
+        return kept.mark if kept is not None and kept.held is found else found
+
+    def _keep(
+        self, stage: Stage, outcome: object, given: Mapping[str, object], telling: tuple[str, ...] = ()
+    ) -> object:
+        """Keep what a stage gave."""
+        self._kept[stage.gives] = _Kept(outcome, object(), stage, given, telling)
+        return outcome
 
 
 def kept_outcomes(machine: Machine) -> KeptOutcomes | None:

@@ -30,7 +30,7 @@ class StageRun:
     def __init__(self, stages: Sequence[Stage], parts: Parts, kept: KeptOutcomes | None = None) -> None:
         self._order = ordered(tuple(stages))
         self._known: dict[type, Any] = dict(parts)
-        self._kept, self._own_parts = kept, set(parts)
+        self._kept, self._own_parts, self._is_under_way = kept, set(parts), False
         self.labels: dict[str, tuple[str, ...]] = {}
         """Names along the dimensions of all that is known."""
         for part in parts.values():
@@ -53,6 +53,9 @@ class StageRun:
         """
         way = self._way(kinds)
         # NaN stands for links that cannot close, and is no news.
+        if self._kept is not None and not self._is_under_way:
+            self._kept.forget(self._order, self._need)
+        self._is_under_way = True
         with np.errstate(all="ignore"):
             for place, one in enumerate(way, start=1):
                 say_how_far(partial(_how_far, place, len(way), one.gives))

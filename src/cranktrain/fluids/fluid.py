@@ -56,7 +56,7 @@ class Rooms(NamedTuple):
         Gives the first chamber that goes through the same volumes as each, from its own nominal firing, shape
         (design, chamber).
     speed : Array, shape (design, 1, 1), optional
-        Mean speed of the shaft, where the file says it. [rad/s]
+        Mean speed of the shaft, where the file says it and the fluid goes by time. [rad/s]
     volume_of : callable
         From a design, a chamber and angles since its nominal firing, shape (n,), to its volume, shape (n,).
     """
@@ -153,6 +153,8 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
         What chambers that share a medium find together: of all tables of this fluid, before `prepared`.
     fires : bool
         Whether its cylinders fire: it takes a cycle and a firing order. Otherwise every turn is one cycle.
+    goes_by_time : bool
+        Whether its pressure hangs on the speed of the shaft.
     notes : callable (prepared) → tuple of Words
         What was found beside: in a file, or with the chambers at hand.
     kinks : callable (prepared, VolumeLimits) → tuple of Kink
@@ -174,6 +176,7 @@ class Fluid(Generic[_Table, _Numbers, _Ready]):
     problems: Callable[[Mapping[str, _Table]], Iterable[Problem]] = lambda tables: ()
     together: Callable[[Sequence[_Numbers], Sequence[Rooms]], Sequence[_Numbers]] = lambda numbers, rooms: numbers
     fires: bool = True
+    goes_by_time: bool = False
     notes: Callable[[_Ready], tuple[Words, ...]] = lambda prepared: ()
     kinks: Callable[[_Ready, VolumeLimits], tuple[Kink, ...]] = lambda prepared, limits: ()
     breaks: Callable[[_Ready], Array] | None = None

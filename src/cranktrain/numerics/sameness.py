@@ -2,7 +2,8 @@
 
 from collections.abc import Mapping
 from dataclasses import is_dataclass
-from functools import cache
+from functools import cache, partial
+from types import MethodType
 from typing import Any, cast
 
 import numpy as np
@@ -14,8 +15,8 @@ def is_same(one: object, other: object) -> bool:
     Parameters
     ----------
     one, other : object
-        Arrays, numbers, texts, and records, tuples and mappings of these. Of anything else only the very object is the
-        same.
+        Arrays, numbers, texts; records, tuples and mappings of these; methods of records, and functions some of whose
+        arguments are these. Of anything else only the very object is the same.
 
     Examples
     --------
@@ -40,6 +41,10 @@ def is_same(one: object, other: object) -> bool:
         return len(first) == len(second) and all(map(is_same, first, second))
     if issubclass(kind, Mapping):
         return [*first] == [*second] and all(map(is_same, first.values(), second.values()))
+    if kind is partial:
+        return is_same((first.func, first.args, first.keywords), (second.func, second.args, second.keywords))
+    if kind is MethodType:
+        return first.__func__ is second.__func__ and is_same(first.__self__, second.__self__)
     names = _fields(kind)
     return bool(names) and all(is_same(getattr(first, name), getattr(second, name)) for name in names)
 

@@ -12,6 +12,10 @@ import cranktrain as ct
 from cranktrain.analysis.kept_outcomes import KeptOutcomes
 from cranktrain.io.examples import example_names
 from cranktrain.io.machine_file import inputs_of, read_machine
+from cranktrain.layout.question import Stage
+from cranktrain.layout.speed import Speed
+from cranktrain.questions.cylinders.firing import Cycle
+from cranktrain.questions.forces.joint_forces import JointForces
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.closing import Closing
 from cranktrain.questions.motion.dead_centres import PistonTurn
@@ -53,7 +57,7 @@ def test_a_changed_number_gives_what_the_machine_gives_by_itself(name):
 @pytest.mark.parametrize(
     ("path", "value", "kept", "found_anew"),
     [
-        (SPEED, "1600 rpm", {Closing, PistonTurn}, {GasPressures}),
+        (SPEED, "1600 rpm", {Closing, PistonTurn, GasPressures, GridMotion}, {JointForces}),
         (MASS, "5.1 kg", {Closing, GasPressures, GridMotion}, set()),
         ("cylinder.bore", "151 mm", {Closing, GridMotion}, {GasPressures}),
         (ROD, "321 mm", set(), {Closing, GasPressures, GridMotion}),
@@ -97,3 +101,35 @@ def test_threads_may_ask_machines_that_come_from_one_another():
     expected = [numbers(ct.run(by_itself(one))) for one in changed]
     with ThreadPoolExecutor(4) as threads:
         assert list(threads.map(lambda one: numbers(ct.run(one)), changed)) == expected
+
+
+def test_another_stage_that_gives_the_same_sort_is_asked():
+    kept, one, another = KeptOutcomes(), Stage(cycle_of_one), Stage(cycle_of_another)
+    speed = Speed(np.ones((1, 1, 1)))
+    first = kept.outcome(one, {"speed": speed})
+    assert kept.outcome(one, {"speed": speed}) is first
+    assert kept.outcome(another, {"speed": speed}).length == 2.0
+    assert kept.outcome(one, {"speed": speed}).length == 1.0
+
+
+def cycle_of_one(speed: Speed | None) -> Cycle:
+    return Cycle(1.0, fires=True)
+
+
+def cycle_of_another(speed: Speed | None) -> Cycle:
+    return Cycle(2.0, fires=True)
+
+
+@pytest.mark.parametrize("name", ["3d12", "burning_cylinder", "gas_compressor"])
+def test_whatever_way_numbers_go_each_machine_gives_its_own(name):
+    file, rng = read_machine(name), np.random.default_rng(7)
+    inputs = [one for one in inputs_of(file) if one.path.endswith(("speed", "rod_length", "bore", "mass"))]
+    machine, seen = file.machine, []
+    for _change in range(14):
+        one = inputs[rng.integers(len(inputs))]
+        for _again in range(rng.integers(1, 4)):  # as a slider is moved: what is let go of is found anew
+            value, _, unit = one.given.text.partition(" ")
+            machine = machine.with_({one.path: f"{float(value) * rng.uniform(0.98, 1.02):.6g} {unit}"})
+            seen.append(ct.run(machine))
+    for result in seen[::3]:
+        assert numbers(result) == numbers(ct.run(by_itself(result.machines[0])))

@@ -1,5 +1,6 @@
 """Data is the same to the last bit, or it is not the same."""
 
+from functools import partial
 from types import MappingProxyType
 
 import numpy as np
@@ -15,6 +16,9 @@ class Rod:
     """A record."""
 
     length: object
+
+    def stretched(self):
+        """A method."""
 
 
 @pytest.mark.parametrize(
@@ -33,6 +37,8 @@ class Rod:
         lambda: {"a": (1.0, None)},
         lambda: MappingProxyType({"a": 1.0}),
         lambda: Rod(Rod(np.arange(3.0))),
+        lambda: partial(np.add, np.arange(2.0), dtype=None),
+        lambda: Rod(2.0).stretched,
     ],
 )
 def test_what_is_made_twice_is_the_same(make):
@@ -60,6 +66,10 @@ def test_what_is_made_twice_is_the_same(make):
         (Rod(1.0), Rod(2.0)),
         (Rod(1.0), (1.0,)),
         (lambda: 1, lambda: 1),
+        (partial(np.add, 1.0), partial(np.add, 2.0)),
+        (partial(np.add, 1.0), partial(np.subtract, 1.0)),
+        (Rod(2.0).stretched, Rod(3.0).stretched),
+        (Rod(2.0).stretched, Rod(2.0).__repr__),
         (object(), object()),
     ],
 )

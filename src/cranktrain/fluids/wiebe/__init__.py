@@ -16,6 +16,7 @@ KIND = Fluid(
     pressure=chamber_pressure,
     slope=chamber_slope,
     work=chamber_work,
+    goes_by_time=True,
     breaks=lambda chambers: chambers.burns,
     example="""\
 [gas]

@@ -310,7 +310,7 @@ def _rooms(likeness: Likeness, table: GasTable, places: NDArray[np.intp], bottom
         area=gas.chambers.area[:, places, np.newaxis],
         bottoms=np.stack([after - 2 * np.pi, after], axis=-1)[:, places],
         alike=partial(likeness.among, places),
-        speed=speed,
+        speed=speed if table.fluid.goes_by_time else None,
         volume_of=partial(_volume_from_firing, gas, places),
     )
 
