@@ -1,7 +1,7 @@
 """A declared machine as questions see it: arranged, with its tables by class; and several designs of one machine."""
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, TypeVar
 
 from cranktrain.layout.crank_angle import CrankAngle
@@ -66,9 +66,13 @@ class Design:
 
     def once(self, find: "Callable[[Design], Found]") -> Found:
         """What is found from this design: once, however often it is asked for."""
-        if find not in self._found:
-            self._found[find] = find(self)
-        return self._found[find]
+        return self.found(find, partial(find, self))
+
+    def found(self, what: object, find: Callable[[], Found]) -> Found:
+        """What is found of the machine, under a key that tells it from all else: once, as `once`."""
+        if what not in self._found:
+            self._found[what] = find()
+        return self._found[what]
 
 
 @record

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.numerics.nested import leaves
+from cranktrain.plans.found_once import found_once
 from cranktrain.plans.placement import first_throw, place_called, shaft_places, throw_of
 from cranktrain.questions.cylinders.declared import cylinders_of
 
@@ -13,6 +14,7 @@ _DIGITS = 12
 Throw = tuple[PlacedMechanism, ...]
 
 
+@found_once
 def drawn_throws(machine: Machine, mechanism: str | None = None) -> tuple[Throw, ...]:
     """Give the places of each throw that is drawn, with all that shares cylinders with it.
 

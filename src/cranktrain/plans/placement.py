@@ -18,11 +18,13 @@ from cranktrain.mechanisms.drawing import Drawing, Guide
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Point, single
 from cranktrain.numerics import turn_grid
+from cranktrain.plans.found_once import found_once
 from cranktrain.plans.link_points import with_points
 from cranktrain.questions.cylinders.declared import cylinders_of
 from cranktrain.texts.plain_cranks import PLAIN
 
 
+@found_once
 def first_throw(machine: Machine) -> tuple[PlacedMechanism, ...]:
     """Give the places on the main shaft's first throw that carries any, and all that share cylinders with these.
 
@@ -64,6 +66,7 @@ class PlacedShafts(NamedTuple):
     assumed: tuple[str, ...]
 
 
+@found_once
 def shaft_places(machine: Machine) -> PlacedShafts:
     """Say where shafts stand for a drawing.
 

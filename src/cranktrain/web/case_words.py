@@ -1,5 +1,7 @@
 """Words of a page on which numbers may be changed: of what is on it whatever the machine."""
 
+from functools import cache
+
 from cranktrain.language import Words, _
 from cranktrain.record import record
 
@@ -61,6 +63,7 @@ class CaseWords:
     no_answer: Words
 
 
+@cache
 def case_words() -> CaseWords:
     """Give them."""
     return CaseWords(

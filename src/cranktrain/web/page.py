@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import cache
 from importlib import import_module
 from inspect import signature
 from itertools import zip_longest
@@ -115,6 +116,7 @@ class PageWords:
     members: Words
 
 
+@cache
 def _page_words() -> PageWords:
     """Give them."""
     return PageWords(
