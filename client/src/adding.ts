@@ -1,6 +1,6 @@
 // Parts that are added to a machine by clicks on its drawing: it is said what each click may take, and asked for the rest.
 
-import type { AddingWords, DrawnAddition, DrawnTarget } from "./data.ts";
+import type { AddingWords, DrawnAddition, DrawnClick, DrawnTarget } from "./data.ts";
 import { html, svg } from "./elements.ts";
 import { roomier, type Mechanism, type View } from "./mechanism.ts";
 import { polyline, type Point } from "./points.ts";
@@ -131,6 +131,11 @@ export class Adding {
     return this.begun !== null;
   }
 
+  /** The click that is asked for; what the last took says which it is. */
+  private get asked(): DrawnClick | undefined {
+    return this.begun?.clicks[this.clicks.at(-1)?.target.then ?? 0];
+  }
+
   /** Offer parts that may be added to what is shown, and no others. */
   offer(additions: readonly DrawnAddition[], adder?: Adder): void {
     if (adder === this.adder && additions === this.additions) {
@@ -154,9 +159,21 @@ export class Adding {
     }
     const all = [...this.clicks, ...(aimed ? [aimed] : [])];
     const places = all.map((one) => this.pictured(one));
-    const band = places.length > 1 ? [svg("path", { class: "band", d: polyline(places) })] : [];
+    const band = this.lines(places).map((line) => svg("path", { class: "band", d: polyline(line) }));
     mechanism.mark([...band, ...all.flatMap((one, place) => this.marks(one, places[place] as Point, one === aimed))]);
     this.stand();
+  }
+
+  /** Lines from click to click, as far as what was begun goes on. */
+  private lines(places: readonly Point[]): Point[][] {
+    const lines: Point[][] = [];
+    let click = 0;
+    for (const [number, place] of places.entries()) {
+      if (number === 0 || this.begun?.clicks[click]?.begins) lines.push([]);
+      lines.at(-1)?.push(place);
+      click = this.clicks[number]?.target.then ?? click;
+    }
+    return lines.filter((line) => line.length > 1);
   }
 
   private marks({ target }: Taken<DrawnTarget>, at: Point, isAimed: boolean): SVGElement[] {
@@ -181,7 +198,7 @@ export class Adding {
 
   /** Aim at a point of the window. */
   private aim(x: number, y: number): void {
-    const targets = this.begun?.clicks[this.clicks.length]?.targets;
+    const targets = this.asked?.targets;
     if (!targets) return;
     const mechanism = this.around.mechanism();
     const at = mechanism.place(x, y);
@@ -263,7 +280,7 @@ export class Adding {
     const { begun, adder } = this;
     if (!begun || !adder || !one || this.isBusy) return;
     this.clicks = [...this.clicks, one];
-    if (this.clicks.length < begun.clicks.length) {
+    if (this.asked) {
       this.next();
       return;
     }
@@ -300,7 +317,7 @@ export class Adding {
     this.element.replaceChildren(html("div", { class: "choices", role: "group", "aria-label": name }, html("span", { class: "note" }, name), ...begin), ...(begun ? [this.prompt] : []));
     begin[focused]?.focus({ preventScroll: true });
     if (begun) {
-      const click = begun.clicks[this.clicks.length];
+      const click = this.asked;
       this.asks.replaceChildren(said(click?.asks ?? ""), ...(why ? [html("span", { class: "problems" }, ` ✗ ${why}`)] : []));
       const cancel = html("button", { type: "button", title: "Escape" }, adder?.adding.cancel ?? "");
       cancel.addEventListener("click", () => { this.end(); });

@@ -652,6 +652,7 @@ export interface DrawnClick {
   readonly is: "DrawnClick";
   readonly asks: string;
   readonly targets: readonly (DrawnTarget)[];
+  readonly begins: boolean;
 }
 
 export interface DrawnTarget {
@@ -659,6 +660,7 @@ export interface DrawnTarget {
   readonly name: string;
   readonly words: string;
   readonly pins: readonly (string)[];
+  readonly then: number;
 }
 
 export interface PageGoingOn {

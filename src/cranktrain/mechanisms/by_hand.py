@@ -22,8 +22,8 @@ class Handle(NamedTuple):
     numbers: tuple[str, ...]
 
 
-Taken: TypeAlias = Literal["pin", "link", "ground"]
-"""What a click may take; the ground stands for any place."""
+Taken: TypeAlias = Literal["pin", "slider", "link", "ground"]
+"""What a click may take: a pin, that of a slider in a fixed guide, a link; the ground stands for any place."""
 
 
 class Click(NamedTuple):
@@ -35,10 +35,13 @@ class Click(NamedTuple):
         The sentence that asks for it.
     takes : mapping of Taken to Words
         What it may take, each with what that will be; `{name}` stands for the name of the pin or link.
+    begins : bool
+        Whether something begins there, to which no line leads from the click before.
     """
 
     asks: str
     takes: Mapping[Taken, str]
+    begins: bool = False
 
 
 class Clicked(NamedTuple):
@@ -67,8 +70,8 @@ class Addition(NamedTuple):
     ----------
     name : str
     title : Words
-    clicks : tuple of Click
-        In their order.
+    clicks : tuple of Click, or of mapping of Taken to Click
+        In their order; a mapping where what is asked for depends on what the click before took.
     added : callable (spec, clicked, angle) → AddedTable
         Finds it from the mechanism's table, what the clicks took, one for each, and the angle of the mechanism's crank
         in the axes of that table [rad]. Raises `InputError` where there is no such part.
@@ -76,5 +79,5 @@ class Addition(NamedTuple):
 
     name: str
     title: str
-    clicks: tuple[Click, ...]
+    clicks: tuple[Click | Mapping[Taken, Click], ...]
     added: Callable[[Any, Sequence[Clicked], float], AddedTable]

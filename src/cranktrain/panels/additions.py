@@ -1,6 +1,7 @@
 """Parts that may be added to a machine by clicks on its drawing: what a click may take there, and what it gives."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from typing import get_args
 
 import numpy as np
 
@@ -9,11 +10,13 @@ from cranktrain.language import Words, _
 from cranktrain.layout.frames import in_own_axes
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
-from cranktrain.mechanisms.by_hand import AddedTable, Addition, Click, Clicked
+from cranktrain.mechanisms.by_hand import AddedTable, Addition, Click, Clicked, Taken
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array
 from cranktrain.plans.placement import frame, place_called, placed, shaft_places
 from cranktrain.record import record
+
+_TAKEN: tuple[Taken, ...] = get_args(Taken)
 
 
 @record
@@ -28,24 +31,31 @@ class DrawnTarget:
         What it will be.
     pins : tuple of str
         Of the drawing: the pin, or those between which the link lies; none of the ground.
+    then : int
+        Place of the click that follows among those of the part; their number behind the last.
     """
 
     name: str
     words: Words
     pins: tuple[str, ...]
+    then: int
 
 
 @record
 class DrawnClick:
-    """A click: the sentence that asks for it, and what it may take."""
+    """A click: the sentence that asks for it, what it may take, and whether no line leads to it from the one before."""
 
     asks: Words
     targets: tuple[DrawnTarget, ...]
+    begins: bool
 
 
 @record
 class DrawnAddition:
-    """A part that may be added to a mechanism: its name among those of the kind, what it is called, its clicks."""
+    """A part that may be added to a mechanism: its name among those of the kind, what it is called, its clicks.
+
+    The first click is asked for first; each target says which follows.
+    """
 
     mechanism: str
     name: str
@@ -80,20 +90,41 @@ def _title(one: Addition, place: PlacedMechanism, n_tables: int) -> Words:
 
 
 def _clicks(machine: Machine, place: PlacedMechanism, addition: Addition) -> Iterator[DrawnClick]:
-    """Give the clicks of a part with what they may take in the drawing."""
+    """Give the clicks of a part with what they may take in the drawing; alternatives stand one after another."""
     drawing = placed(machine, place, np.zeros(1))
-    for click in addition.clicks:
-        yield DrawnClick(_(click.asks), tuple(_targets(place, drawing, click)))
+    for clicks, then in zip(addition.clicks, _places(addition)[1:], strict=True):
+        for click in (clicks,) if isinstance(clicks, Click) else clicks.values():
+            yield DrawnClick(_(click.asks), tuple(_targets(place, drawing, click, then)), click.begins)
 
 
-def _targets(place: PlacedMechanism, drawing: Drawing, click: Click) -> Iterator[DrawnTarget]:
-    """Give the pins, links and the ground, as far as a click takes them."""
+def _places(addition: Addition) -> list[Mapping[Taken, int]]:
+    """Places of the clicks of a part by what the click before took, and their number."""
+    places: list[Mapping[Taken, int]] = []
+    n_clicks = 0
+    for clicks in addition.clicks:
+        alternatives = dict.fromkeys(_TAKEN, n_clicks)
+        if not isinstance(clicks, Click):
+            alternatives = {sort: n_clicks + k for k, sort in enumerate(clicks)}
+        places.append(alternatives)
+        n_clicks = max(alternatives.values()) + 1
+    return [*places, dict.fromkeys(_TAKEN, n_clicks)]
+
+
+def _targets(
+    place: PlacedMechanism, drawing: Drawing, click: Click, then: Mapping[Taken, int]
+) -> Iterator[DrawnTarget]:
+    """Give the pins, sliders, links and the ground, as far as a click takes them."""
     pins = [name for name in (*drawing.fixed, *place.kind.joints) if name in drawing.pins]
     links = {link.name: link.pins for link in drawing.links if link.name in place.kind.links}
+    targets: Mapping[Taken, Mapping[str, tuple[str, ...]]] = {
+        "pin": {name: (name,) for name in pins},
+        "slider": {guide.pin: (guide.pin,) for guide in drawing.guides},
+        "link": links,
+        "ground": {"": ()},
+    }
     for sort, words in click.takes.items():
-        found = {"pin": {name: (name,) for name in pins}, "link": links, "ground": {"": ()}}[sort]
-        for name, own in found.items():
-            yield DrawnTarget(name, _(words, name=name), own)
+        for name, own in targets[sort].items():
+            yield DrawnTarget(name, _(words, name=name), own, then[sort])
 
 
 def added_table(

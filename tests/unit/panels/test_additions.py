@@ -1,75 +1,18 @@
 """Parts that are added to a chain by clicks: they lie where it was clicked, at the crank angle that was shown."""
 
 import tomllib
-from math import radians
 
 import numpy as np
 import pytest
+from tests.clicked_chains import ANGLES, LIE, PIVOT, Lying, added, away, length_of, machine_of, pins_of, text_of
 from tests.sentences import NO_DIRECTION, NOWHERE_HERE
 
 import cranktrain as ct
 from cranktrain.errors import InputError
-from cranktrain.io.added_tables import with_part
 from cranktrain.io.examples import example_text
-from cranktrain.io.machine_source import source_of_text
-from cranktrain.mechanisms.by_hand import Clicked
-from cranktrain.panels.additions import added_table, drawn_additions
+from cranktrain.panels.additions import drawn_additions
 from cranktrain.panels.handles import drawn_handles
 from cranktrain.plans.placement import first_throw
-
-RADIUS, PIVOT = 0.05, (0.4, 0.25)
-METRES = {"mm": 1e-3, "in": 0.0254, "cm": 1e-2}
-STEPS = {"mm": 1e-3, "in": 0.05 * 0.0254, "cm": 1e-3}
-"""Of typed lengths, in a machine that reaches 0.47 m: some 300 of them. [m]"""
-ANGLES = (0.0, 73.0, 215.0, -40.0)
-LIE = (
-    ("anticlockwise", "-90 deg", "ahead", "mm"),
-    ("clockwise", "33 deg", "ahead", "mm"),
-    ("clockwise", "-90 deg", "astern", "in"),
-    ("anticlockwise", "200 deg", "astern", "cm"),
-)
-
-
-def text_of(rotation="anticlockwise", angle="-90 deg", running="ahead", unit="mm"):
-    """A toggle press, and comments; its crank pin moves the knee between the pivot and the ram."""
-
-    def typed(length):
-        return f'"{length / METRES[unit]:.9g} {unit}"'
-
-    return f"""\
-# mine
-rotation = "{rotation}"  # as I see it
-angle = "{angle}"
-running = "{running}"
-
-[mechanism]
-kind = "chain"
-output = "ram"
-
-[mechanism.fixed]
-C = [{typed(PIVOT[0])}, {typed(PIVOT[1])}] # the frame
-
-[mechanism.crank.main]
-radius = {typed(RADIUS)}
-
-[[mechanism.part]]
-type = "pin"
-rod = {{ name = "pitman", from = "main.pin", length = {typed(0.32)} }}
-rocker = {{ name = "upper", from = "C", length = {typed(0.25)} }}
-joint = "knee"
-side = "right" # or the other way
-
-[[mechanism.part]]
-type = "slide"
-rod = {{ name = "lower", from = "knee", length = {typed(0.25)} }}
-slider = "ram"
-guide = {{ through = "C", direction = "-90 deg" }} # down
-
-# at last
-[shaft.main]
-speed = "40 rpm"
-"""
-
 
 COUPLED = """\
 [mechanism]
@@ -81,49 +24,6 @@ part = [
   { type = "slide", rod = { name = "rod", from = "main.pin", length = "200 mm" }, slider = "slider", guide = ALONG },
 ]
 """.replace("ALONG", '{ through = "O", direction = "0 deg" }')
-
-
-class Lying:
-    """How the axes of the file lie in the drawing, from the machine's rotation and angle alone."""
-
-    def __init__(self, rotation, angle, running, unit):
-        normal = 1.0 if rotation == "clockwise" else -1.0
-        direction = normal * radians(float(angle.split()[0]))
-        self.x = np.array([np.sin(direction), np.cos(direction)])
-        self.y = normal * np.array([np.cos(direction), -np.sin(direction)])
-        self.turning = -1.0 if running == "astern" else 1.0
-        self.unit, self.step = METRES[unit], STEPS[unit]
-
-    def at(self, x, y):
-        return x * self.x + y * self.y
-
-    def crank(self, degrees):
-        phi = self.turning * radians(degrees)
-        return self.at(RADIUS * np.cos(phi), RADIUS * np.sin(phi))
-
-
-def machine_of(text):
-    """Read it, whether it turns all round or not."""
-    return source_of_text(text, {}).with_set(partial=True).machine
-
-
-def added(text, name, angle, *clicks):
-    machine = machine_of(text)
-    return with_part(text, *added_table(machine, "1", name, angle, [Clicked(own, *at) for own, at in clicks]))
-
-
-def pins_of(text, angle):
-    machine = machine_of(text)
-    return {name: pin[:, 0] for name, pin in ct.drawing(machine, [angle]).mechanisms[0].pins.items()}
-
-
-def length_of(text):
-    number, unit = text.split()
-    return float(number) * METRES[unit]
-
-
-def away(one, other):
-    return float(np.hypot(*(np.asarray(one) - np.asarray(other))))
 
 
 @pytest.mark.parametrize("lie", LIE)
@@ -211,6 +111,20 @@ ALL = (
     ("pin", ("", (0.2, -0.3))),
     ("pair", ("knee", (0, 0)), ("", (0.3, 0.3)), ("C", (0, 0))),
     ("slider", ("knee", (0, 0)), ("", (0.7, 0.0)), ("", (0.9, 0.0))),
+    ("slider_pin", ("ram.pin", (0, 0)), ("", (0.5, 0.1))),
+    ("eccentric", ("", (0.02, 0.03))),
+    ("swivel", ("main.pin", (0, 0)), ("C", (0, 0)), ("C", (0, 0))),
+    ("yoke", ("main.pin", (0, 0)), ("", (0.1, 0.3)), ("", (0.3, 0.3))),
+    ("trammel", ("upper", (0, 0)), ("", (0.3, 0.1)), ("", (0.3, 0.3))),
+    (
+        "triad",
+        ("main.pin", (0, 0)),
+        ("", (0.33, -0.04)),
+        ("C", (0, 0)),
+        ("", (0.4, 0.0)),
+        ("", (0.56, 0.01)),
+        ("", (0.66, 0.03)),
+    ),
 )
 
 
@@ -222,12 +136,12 @@ def test_all_else_of_the_file_stays(addition):
     twice = added(once, addition[0], 60.0, *addition[1:])
     lines = iter(twice.splitlines())
     assert all(any(line == other for other in lines) for line in text.splitlines())
-    assert text.splitlines()[-3:] == (once if addition[0] != "point" else text).splitlines()[-3:]
+    assert text.splitlines()[-3:] == (text if addition[0] in ("point", "eccentric") else once).splitlines()[-3:]
     before, after = tomllib.loads(text)["mechanism"], tomllib.loads(twice)["mechanism"]
-    assert (after["output"], after["crank"]) == (before["output"], before["crank"])
+    assert (after["output"], after["crank"]["main"]) == (before["output"], before["crank"]["main"])
     assert after["part"][: len(before["part"])] == before["part"]
     new = len(pins_of(twice, 60.0)) - len(pins_of(text, 60.0))
-    assert new == 2
+    assert new == 2 * (3 if addition[0] == "triad" else 1)
     assert machine_of(twice).name == machine_of(text).name
 
 
@@ -336,7 +250,7 @@ def test_of_a_parallelogram_s_lengths_it_is_the_one_that_was_clicked(is_crossed,
         ("pair", [("knee", (0, 0)), ("", (0.4, 0.25)), ("C", (0, 0))], "is where both links would meet"),
         ("slider", [("C", (0, 0)), ("", (0.4, 0.25)), ("", (0.5, 0.25))], "is where the slider would be"),
         ("slider", [("knee", (0, 0)), ("", (0.3, 0.4)), ("", (0.301, 0.4))], NO_DIRECTION),
-        ("wheel", [], "must be one of: point, pin, pair, slider"),
+        ("wheel", [], "must be one of: point, pin, slider_pin, eccentric, pair"),
     ],
 )
 def test_what_no_part_can_be_made_of_is_refused(name, clicks, said):
@@ -349,7 +263,7 @@ def test_where_links_cannot_close_nothing_hangs_on_them():
     """The pitman is too short beyond some angle: its knee is nowhere there, and its links are not either."""
     text = text_of().replace('"320 mm"', '"260 mm"')
     assert np.isnan(pins_of(text, 180.0)["knee"]).all()
-    for name, *clicks in (("point", ("lower", (0.4, 0.0))), ("slider", *ALL[-1][1:])):
+    for name, *clicks in (("point", ("lower", (0.4, 0.0))), ("slider", *ALL[4][1:])):
         with pytest.raises(InputError, match=NOWHERE_HERE):
             added(text, name, 180.0, *clicks)
 
@@ -365,7 +279,9 @@ def test_links_that_nothing_drives_are_refused_by_the_machine():
 def test_a_click_takes_what_is_drawn():
     machine = machine_of(text_of())
     additions = {one.name: one for one in drawn_additions(machine, first_throw(machine))}
-    assert list(additions) == ["point", "pin", "pair", "slider"]
+    assert list(additions) == [
+        "point", "pin", "slider_pin", "eccentric", "pair", "swivel", "slider", "yoke", "trammel", "triad",
+    ]  # fmt: skip
     assert {one.mechanism for one in additions.values()} == {"1"}
     (where,) = additions["pin"].clicks
     assert [(one.name, one.pins) for one in where.targets] == [

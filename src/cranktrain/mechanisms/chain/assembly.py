@@ -101,8 +101,13 @@ def modes_of(step: TriadStep, own: TriadSize, made: Made) -> list[Mode]:
 
 
 def _mode(legs: Triad, pose: Pose) -> Mode:
+    return Mode(pose, joints_of(legs, pose))
+
+
+def joints_of(legs: Triad, pose: Pose) -> Array:
+    """Where the three joints of a triad's link lie in a pose, shape (3, 2). [m]"""
     joints = [pose.x + 1j * pose.y + leg.point.radius * np.exp(1j * (pose.angle + leg.point.angle)) for leg in legs]
-    return Mode(pose, np.array([[joint.real, joint.imag] for joint in joints]))
+    return np.array([[joint.real, joint.imag] for joint in joints])
 
 
 def _start(step: TriadStep, own: TriadSize, made: Made, near: Array) -> StartSize:
