@@ -272,7 +272,7 @@ export class Adding {
     const first = this.targets.querySelector<HTMLElement>(".target");
     if (!first) this.aim(at.x, at.y);
     (first ?? this.cross).focus({ preventScroll: true });
-    this.prompt.scrollIntoView({ block: "nearest" });
+    for (const element of [stage, this.prompt]) element.scrollIntoView({ block: "nearest" });
   }
 
   /** Take what a click took, and add the part with the last. */
@@ -290,7 +290,9 @@ export class Adding {
       // Where links cannot close a pin is nowhere, and the service says so by its name.
       return { name: click.target.name, right: x || 0, up: y || 0 };
     });
+    this.prompt.classList.add("computing");
     const why = await adder.add({ mechanism: begun.mechanism, name: begun.name, angle: this.around.angle(), clicks });
+    this.prompt.classList.remove("computing");
     this.isBusy = false;
     if (!why) {
       this.end(begun);

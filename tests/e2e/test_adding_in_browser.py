@@ -4,7 +4,7 @@ import tomllib
 
 import numpy as np
 import pytest
-from tests.browser import faults, focused, pages
+from tests.browser import Watched, faults, focused, pages
 from tests.serving import served
 
 from cranktrain.io.examples import example_text
@@ -197,6 +197,91 @@ def test_parts_are_added_by_keys_alone(opened, name):
     assert "D" in after["fixed"]
     pair, slide = after["part"][-2:]
     assert (pair["rod"]["from"], pair["rocker"]["from"], slide["rod"]["from"]) == (joint, fixed, joint)
+
+
+def test_a_slotted_slider_and_a_link_on_three_legs_are_added_by_mouse(opened):
+    """What a click took decides what is asked for: of a rod where it ends, of a slider where its guide runs."""
+    page = opened("toggle_press")
+    begun(page, "Slotted slider")
+    crank = middle(page, "main.pin")
+    clicked(page, crank)
+    clicked(page, crank + np.array([0.0, 50.0]))
+    clicked(page, crank + np.array([90.0, 50.0]))
+    ended(page)
+    assert page.locator(".stage .block").count() > 0
+
+    begun(page, "Link on three legs")
+    crank, pivot = middle(page, "main.pin"), standing(page, "C")
+    metre = np.hypot(*(middle(page, "knee") - crank)) / 0.32
+    joints = [pivot + metre * np.array([-0.07, 0.29]), pivot + metre * np.array([0.0, 0.25])]
+    for start, joint in zip((crank, pivot), joints, strict=True):
+        page.mouse.move(*start)
+        assert page.locator(".stage .moved").inner_text() in ("rod from main.pin", "rod from C")
+        clicked(page, start)
+        assert page.locator(".prompt p").inner_text() == "Where on the link does that rod end?"
+        clicked(page, joint)
+    assert page.locator(".stage .band").count() == 2, "a line for each leg, and none from leg to leg"
+    slider = pivot + metre * np.array([0.16, 0.24])
+    clicked(page, slider)
+    assert page.locator(".prompt p").inner_text() == "In which direction does its guide run?"
+    clicked(page, slider + metre * np.array([-0.1, 0.0]))
+    ended(page)
+    metre = np.hypot(*(middle(page, "knee") - middle(page, "main.pin"))) / 0.32
+    assert np.hypot(*(middle(page, "B") - standing(page, "C") - metre * np.array([-0.07, 0.29]))) < 4.0
+
+    yoke, triad = tomllib.loads(text_of(page))["mechanism"]["part"][2:]
+    assert (yoke["type"], yoke["pin"], yoke["slot_angle"]) == ("yoke", "main.pin", "90 deg")
+    *rods, guided = triad["leg"]
+    assert [leg["rod"]["from"] for leg in rods] == ["main.pin", "C"]
+    assert guided["slider"] == "slider"
+    page.locator("h1").click()
+    for _part in range(2):
+        page.keyboard.press("Control+z")
+        page.wait_for_timeout(500)
+    assert page.get_by_role("button", name="Undo").is_disabled(), "each part is one step"
+
+
+def test_a_rocking_guide_and_a_pin_on_a_slider_are_added_by_keys_alone(opened):
+    page = opened("toggle_press")
+    reached(page, "Rocking guide")
+    for words in ("on main.pin", "on C", "through C"):
+        reached(page, words)
+    ended(page)
+    assert "Rocking guide" in focused(page)
+
+    reached(page, "Pin on a slider")
+    reached(page, "slider of ram.pin")
+    for _step in range(3):
+        page.keyboard.press("Shift+ArrowLeft")
+    page.keyboard.press("Enter")
+    ended(page)
+
+    swivel, pin = tomllib.loads(text_of(page))["mechanism"]["part"][2:]
+    assert (swivel["type"], swivel["pin"]) == ("swivel", "main.pin")
+    assert (swivel["guide"]["from"], swivel["guide"]["offset"]) == ("C", "0 mm")
+    assert (pin["type"], pin["link"], pin["along"]) == ("point", "ram", "0 mm")
+
+
+def test_a_slider_in_a_link_s_slot_is_added_by_touch(chromium, address):
+    """On a small screen, where the drawing and what is asked for stand one below the other."""
+    context = chromium.new_context(viewport={"width": 390, "height": 844}, has_touch=True, reduced_motion="reduce")
+    watched = Watched(context, f"{address}#machine=toggle_press&phi=60")
+    page = watched.page
+    page.keyboard.press("e")
+    page.locator(".begin", has_text="Slider in a link's slot").tap()
+    page.locator(".prompt").wait_for()
+    assert page.locator(".begin:visible").count() == 1, "what else may be added leaves room for the prompt"
+    stage, prompt = page.locator(".stage").bounding_box(), page.locator(".prompt").bounding_box()
+    assert -1 < stage["y"] < prompt["y"] < prompt["y"] + prompt["height"] <= 844
+    middle_of_link = (standing(page, "C") + middle(page, "knee")) / 2
+    page.touchscreen.tap(*middle_of_link)
+    page.touchscreen.tap(*(middle_of_link - np.array([30.0, 0.0])))
+    page.touchscreen.tap(*(middle_of_link - np.array([30.0, 40.0])))
+    ended(page)
+    assert page.locator(".stage .cylinder").count() == 2
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
+    assert watched.faults == []
+    context.close()
 
 
 def test_escape_ends_it_and_what_cannot_close_is_said(opened, axe):

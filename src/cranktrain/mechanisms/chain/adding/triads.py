@@ -18,6 +18,7 @@ from cranktrain.mechanisms.chain.steps import StartSize
 from cranktrain.mechanisms.chain.triads import triad_at, triad_ends, triad_legs
 from cranktrain.mechanisms.chain.walks import branch_from, sign_of, start_at
 from cranktrain.motion import Array, single
+from cranktrain.numerics.nested import each_changed
 from cranktrain.numerics.ties import largest_of, smallest_of
 
 
@@ -79,7 +80,8 @@ def _near(shown: Shown, part: Mapping[str, Any], pose: Pose) -> Mapping[int, lis
     above, legs = structure._replace(steps=structure.steps[:place]), triad_legs(own)
 
     def ends(turned: Array) -> TriadEnds:
-        return triad_ends(step, own, chain_made(above, shown.angle + turned, size))
+        made = chain_made(above, shown.angle + turned, size)
+        return each_changed(lambda value: value + 0.0 * turned, triad_ends(step, own, made))
 
     begun = StartSize(*pose, sign_of(ends(np.zeros(1)), legs, pose), single(1.0))
     with np.errstate(all="ignore"):
