@@ -123,7 +123,16 @@ export class Adding {
     });
     this.cross.addEventListener("keydown", (event) => { this.move(event); });
     this.cross.addEventListener("click", () => { void this.take(this.aimed); });
-    document.addEventListener("keydown", (event) => { if (event.key === "Escape") this.end(); });
+    document.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.end();
+      if (!this.clicks.length || !this.begun || event.target instanceof HTMLInputElement) return;
+      const isUndo = event.key === "z" && (event.ctrlKey || event.metaKey);
+      if (!isUndo && event.key !== "Backspace") return;
+      // What was clicked is undone before what was changed.
+      event.preventDefault();
+      event.stopPropagation();
+      this.back();
+    }, { capture: true });
   }
 
   /** Whether a part is being added. */
@@ -256,6 +265,13 @@ export class Adding {
     this.buttons[this.additions.findIndex((one) => one.mechanism === begun?.mechanism && one.name === begun.name)]?.focus({ preventScroll: true });
   }
 
+  /** Ask for the click before anew. */
+  private back(): void {
+    if (this.isBusy) return;
+    this.clicks = this.clicks.slice(0, -1);
+    this.next();
+  }
+
   private get buttons(): HTMLElement[] {
     return [...this.element.querySelectorAll<HTMLElement>(".begin")];
   }
@@ -323,7 +339,9 @@ export class Adding {
       this.asks.replaceChildren(said(click?.asks ?? ""), ...(why ? [html("span", { class: "problems" }, ` ✗ ${why}`)] : []));
       const cancel = html("button", { type: "button", title: "Escape" }, adder?.adding.cancel ?? "");
       cancel.addEventListener("click", () => { this.end(); });
-      this.targets.replaceChildren(...listed(click?.targets ?? []).map((target) => this.choice(target)), cancel);
+      const back = html("button", { type: "button", title: "Backspace" }, adder?.adding.back ?? "");
+      back.addEventListener("click", () => { this.back(); });
+      this.targets.replaceChildren(...listed(click?.targets ?? []).map((target) => this.choice(target)), ...(this.clicks.length ? [back] : []), cancel);
       this.prompt.replaceChildren(this.asks, this.targets);
       this.cross.setAttribute("aria-label", adder?.adding.cross ?? "");
       this.around.stage.append(this.cross, this.label);

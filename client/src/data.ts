@@ -613,6 +613,7 @@ export interface DesignWords {
 export interface AddingWords {
   readonly is: "AddingWords";
   readonly add: string;
+  readonly back: string;
   readonly cancel: string;
   readonly cross: string;
 }

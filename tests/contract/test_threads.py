@@ -18,7 +18,7 @@ PRODUCTS = {"dot", "matmul", "inner", "tensordot", "vdot", "multi_dot"}
 SMALL = {
     "fluids/wiebe/curve.py": "a stack of some forty panels of twelve points",
     "layout/standing.py": "two vectors of the plane",
-    "mechanisms/chain/adding.py": "two vectors of the plane",
+    "mechanisms/chain/adding/": "two vectors of the plane",
     "numerics/products.py": "the blocks",
     "numerics/tops.py": "a stack of four by five",
     "panels/": "vectors of the plane",

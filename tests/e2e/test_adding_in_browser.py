@@ -288,6 +288,11 @@ def test_escape_ends_it_and_what_cannot_close_is_said(opened, axe):
     page = opened("toggle_press")
     page.evaluate(axe)
     begun(page, "Two links")
+    for back in ("Backspace", "Control+z"):
+        clicked(page, middle(page, "main.pin"))
+        assert page.locator(".prompt p").inner_text() == "Where do both links meet?"
+        page.keyboard.press(back)
+        assert page.locator(".prompt p").inner_text() == "On which pin does the first link begin?"
     clicked(page, middle(page, "main.pin"))
     page.keyboard.press("Escape")
     ended(page)

@@ -29,6 +29,7 @@ class AddingWords:
     """Words of parts that are added by clicks on the drawing."""
 
     add: Words
+    back: Words
     cancel: Words
     cross: Words
 
@@ -102,6 +103,7 @@ def case_words() -> CaseWords:
         move=_("Move pins"),
         adding=AddingWords(
             add=_("Add"),
+            back=_("Back"),
             cancel=_("Cancel"),
             cross=_("A cross on the drawing: arrow keys move it, with shift farther; Enter takes what is there"),
         ),
