@@ -102,7 +102,7 @@ def _places(addition: Addition) -> list[Mapping[Taken, int]]:
     places: list[Mapping[Taken, int]] = []
     n_clicks = 0
     for clicks in addition.clicks:
-        alternatives = dict.fromkeys(_TAKEN, n_clicks)
+        alternatives: dict[Taken, int] = dict.fromkeys(_TAKEN, n_clicks)
         if not isinstance(clicks, Click):
             alternatives = {sort: n_clicks + k for k, sort in enumerate(clicks)}
         places.append(alternatives)

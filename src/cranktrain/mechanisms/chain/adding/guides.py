@@ -7,7 +7,7 @@ import numpy as np
 
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.by_hand import Click, Clicked
-from cranktrain.mechanisms.chain.adding.shown import Shown, degrees_text, place_of, refused, round_direction
+from cranktrain.mechanisms.chain.adding.shown import ShownChain, degrees_text, place_of, refused, round_direction
 from cranktrain.mechanisms.chain.groups import SHAFT
 from cranktrain.motion import Array
 from cranktrain.numerics.ties import smallest_of
@@ -39,7 +39,7 @@ class ClickedGuide(NamedTuple):
         return self.along * (self.along @ place) + self.across * self.beside
 
 
-def clicked_guide(shown: Shown, at: Array, toward: Clicked) -> ClickedGuide:
+def clicked_guide(shown: ShownChain, at: Array, toward: Clicked) -> ClickedGuide:
     """Give the guide through a place toward another."""
     degrees = round_direction(float(np.degrees(clicked_direction(shown, at, toward))))
     along = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
@@ -51,7 +51,7 @@ def clicked_guide(shown: Shown, at: Array, toward: Clicked) -> ClickedGuide:
     return ClickedGuide(keys, along, across, float(across @ place_of(shown.made[through])) + offset)
 
 
-def clicked_direction(shown: Shown, at: Array, toward: Clicked) -> float:
+def clicked_direction(shown: ShownChain, at: Array, toward: Clicked) -> float:
     """Direction from a place to a click, from x toward y. [rad]"""
     there = shown.place(toward)
     if shown.typing.is_there(at, there):

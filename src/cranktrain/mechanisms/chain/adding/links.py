@@ -10,7 +10,7 @@ from cranktrain.mechanisms.by_hand import AddedTable, Addition, Click, Clicked
 from cranktrain.mechanisms.chain.adding.guides import clicked_direction
 from cranktrain.mechanisms.chain.adding.shown import (
     ON_PIN,
-    Shown,
+    ShownChain,
     distance,
     item,
     link_from,
@@ -24,7 +24,7 @@ from cranktrain.mechanisms.chain.steps import PinStep
 from cranktrain.motion import Array
 
 
-def _pair(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _pair(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """Two links that meet in a joint."""
     first, joint, last = clicks
     start, end, at = shown.pin(first), shown.pin(last), shown.place(joint)
@@ -48,7 +48,7 @@ def _pair(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
     return item(**part)
 
 
-def _joint(shown: Shown, part: Mapping[str, Any]) -> tuple[PinStep, Array]:
+def _joint(shown: ShownChain, part: Mapping[str, Any]) -> tuple[PinStep, Array]:
     """Put two links on the chain: how they pass change points, and where their joint is."""
     structure, size = shown.grown(PinPartSpec.model_validate(part))
     with np.errstate(all="ignore"):
@@ -58,7 +58,7 @@ def _joint(shown: Shown, part: Mapping[str, Any]) -> tuple[PinStep, Array]:
     return step, place_of(made[step.joint])
 
 
-def _swivel(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _swivel(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """A guide that rocks about a pin, as a block on another pin slides in it; a third place is on its line, too."""
     first, pivot, toward = clicks
     pin, about = shown.pin(first), shown.pin(pivot)

@@ -7,7 +7,7 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.mechanisms.by_hand import AddedTable, Addition, Click, Clicked
 from cranktrain.mechanisms.chain.adding.shown import (
-    Shown,
+    ShownChain,
     degrees_text,
     distance,
     item,
@@ -22,12 +22,12 @@ _FIXED = ("C", "D", "E", "F")
 """Names of fixed points."""
 
 
-def _followed(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _followed(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """A point on a link that is followed."""
     return AddedTable(f"points.{shown.new('GHKLM')}", _point_on(shown, clicks[0]))
 
 
-def _pin(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _pin(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """A pin on a link, or a fixed point."""
     (clicked,) = clicks
     if clicked.name:
@@ -35,13 +35,13 @@ def _pin(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
     return AddedTable("fixed", {shown.new(_FIXED): shown.typing.texts(shown.place(clicked))})
 
 
-def _point_on(shown: Shown, clicked: Clicked) -> Mapping[str, str]:
+def _point_on(shown: ShownChain, clicked: Clicked) -> Mapping[str, str]:
     """Keys that say where on a link a point is."""
     along, across = shown.on_link(clicked.name, np.array([clicked.x, clicked.y]))
     return {"link": clicked.name, "along": shown.typing.text(along), "across": shown.typing.text(across)}
 
 
-def _pin_on_slider(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _pin_on_slider(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """A pin on a slider in a fixed guide, which goes along with it."""
     on, at = clicks
     directions = {pin_of(name): (name, way) for name, way in guide_directions(shown.structure, shown.size).items()}
@@ -61,7 +61,7 @@ def _pin_on_slider(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
     )
 
 
-def _eccentric(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _eccentric(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """Another crank on the shaft."""
     (clicked,) = clicks
     at = shown.place(clicked)

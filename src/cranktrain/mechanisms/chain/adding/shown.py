@@ -62,7 +62,7 @@ class Typing(NamedTuple):
         return 0.0 if self.is_small(length) else self.rounded(length)
 
 
-class Shown(NamedTuple):
+class ShownChain(NamedTuple):
     """A chain as it is drawn at a crank angle, and how its lengths are typed."""
 
     spec: ChainTable
@@ -114,7 +114,7 @@ class Shown(NamedTuple):
         return structure_of(grown), chain_geometry(grown, None)
 
 
-def shown_chain(spec: ChainTable, angle: float) -> Shown:
+def shown_chain(spec: ChainTable, angle: float) -> ShownChain:
     """Draw a chain at a crank angle."""
     structure, size = structure_of(spec), chain_geometry(spec, None)
     with np.errstate(all="ignore"):
@@ -125,13 +125,13 @@ def shown_chain(spec: ChainTable, angle: float) -> Shown:
     typed = measured(next(iter(spec.crank.values())).radius.text)
     unit = typed.unit if typed is not None else "mm"
     size_of_unit = 1.0 / float(shown(1.0, unit))
-    return Shown(
+    return ShownChain(
         spec, angle, structure, size, made, Typing(unit, size_of_unit, round_below(reach / size_of_unit / FINE))
     )
 
 
 def to_chain(
-    added: Callable[[Shown, Sequence[Clicked]], AddedTable],
+    added: Callable[[ShownChain, Sequence[Clicked]], AddedTable],
 ) -> Callable[[ChainTable, Sequence[Clicked], float], AddedTable]:
     """Give what adds a part to the chain of a table."""
     return lambda spec, clicks, angle: added(shown_chain(spec, angle), clicks)
@@ -142,7 +142,7 @@ def item(**keys: Any) -> AddedTable:
     return AddedTable("part", keys, is_item=True)
 
 
-def link_from(shown: Shown, name: str, start: Clicked, length: float) -> Mapping[str, str]:
+def link_from(shown: ShownChain, name: str, start: Clicked, length: float) -> Mapping[str, str]:
     """Give the keys of a link from a pin."""
     return {"name": name, "from": start.name, "length": shown.typing.text(length)}
 

@@ -9,7 +9,7 @@ from cranktrain.mechanisms.by_hand import AddedTable, Addition, Click, Clicked
 from cranktrain.mechanisms.chain.adding.guides import WAY, clicked_guide
 from cranktrain.mechanisms.chain.adding.shown import (
     ON_PIN,
-    Shown,
+    ShownChain,
     degrees_text,
     distance,
     item,
@@ -23,7 +23,7 @@ _SCOTCH = 90.0
 """Angle from the guide of a slotted slider to its slot, where no place says another. [deg]"""
 
 
-def _slide(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _slide(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """A link with a slider on a fixed guide."""
     first, slider, toward = clicks
     start, at = shown.pin(first), shown.place(slider)
@@ -40,7 +40,7 @@ def _slide(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
     )
 
 
-def _yoke(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _yoke(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """A slotted slider: its slot goes through its own pin and the driving one; across its guide if both are one."""
     first, slider, toward = clicks
     pin, at = shown.pin(first), shown.place(slider)
@@ -53,7 +53,7 @@ def _yoke(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
     )
 
 
-def _trammel(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _trammel(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """A slider on a fixed guide, held where it crosses a link's slot, which goes through the slider's pin."""
     link, slider, toward = clicks
     at = shown.place(slider)

@@ -10,7 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.linkage import Pose, TriadEnds
 from cranktrain.mechanisms.by_hand import AddedTable, Addition, Click, Clicked, Taken
 from cranktrain.mechanisms.chain.adding.guides import WAY, clicked_guide
-from cranktrain.mechanisms.chain.adding.shown import Shown, distance, item, link_from, refusal, refused, to_chain
+from cranktrain.mechanisms.chain.adding.shown import ShownChain, distance, item, link_from, refusal, refused, to_chain
 from cranktrain.mechanisms.chain.assembly import Mode, joints_of, made_above, modes_of
 from cranktrain.mechanisms.chain.kinematics import chain_made
 from cranktrain.mechanisms.chain.parts import TriadPartSpec
@@ -29,7 +29,7 @@ class _Leg(NamedTuple):
     joint: Array
 
 
-def _triad(shown: Shown, clicks: Sequence[Clicked]) -> AddedTable:
+def _triad(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
     """A link on three legs, its line from the first joint to the second."""
     names: list[str] = []
     legs = [_leg(shown, *pair, names) for pair in zip(clicks[::2], clicks[1::2], strict=True)]
@@ -56,7 +56,7 @@ def _in_axes(line: Array, place: Array) -> tuple[float, float]:
     return float(line @ place), float(line[0] * place[1] - line[1] * place[0])
 
 
-def _leg(shown: Shown, start: Clicked, then: Clicked, names: list[str]) -> _Leg:
+def _leg(shown: ShownChain, start: Clicked, then: Clicked, names: list[str]) -> _Leg:
     """One leg: a rod from a pin to a joint, or the pin of a slider and the direction of its guide."""
 
     def new(name: str) -> str:
@@ -72,7 +72,7 @@ def _leg(shown: Shown, start: Clicked, then: Clicked, names: list[str]) -> _Leg:
     return _Leg({"slider": new("slider"), "guide": guide.keys}, guide.foot(shown.place(start)))
 
 
-def _near(shown: Shown, part: Mapping[str, Any], pose: Pose) -> Mapping[int, list[str]]:
+def _near(shown: ShownChain, part: Mapping[str, Any], pose: Pose) -> Mapping[int, list[str]]:
     """Where about the joint of one leg is with the crank along x, if the link fits there in several ways."""
     structure, size = shown.grown(TriadPartSpec.model_validate(part))
     place = len(structure.steps) - 1
