@@ -96,7 +96,8 @@ def clicked(name="pair", mechanism="1", angle=60.0, clicks=(("knee", 0, 0), ("",
 def test_a_part_that_is_clicked_stands_in_the_file_and_is_a_machine(client):
     data, _numbers = opened(client.post("/api/handles", json=asked("toggle_press")))
     assert [(one["mechanism"], one["name"]) for one in data["additions"]] == [
-        ("1", "point"), ("1", "pin"), ("1", "pair"), ("1", "slider"),
+        ("1", "point"), ("1", "pin"), ("1", "slider_pin"), ("1", "eccentric"), ("1", "pair"), ("1", "swivel"),
+        ("1", "slider"), ("1", "yoke"), ("1", "trammel"), ("1", "triad"),
     ]  # fmt: skip
     sent = clicked()
     sent["settings"] = ["mechanism.crank.main.radius=49 mm"]
