@@ -48,6 +48,8 @@ export interface TabContent {
   readonly beside: PageTable | null;
   readonly vectors: readonly (VectorsToScale)[];
   readonly course: PageCourse | null;
+  readonly has_others: boolean;
+  readonly others: PageOthers | null;
 }
 
 export interface WrittenGroup {
@@ -360,6 +362,19 @@ export interface CourseWords {
   readonly pace: string;
 }
 
+export interface PageOthers {
+  readonly is: "PageOthers";
+  readonly parts: readonly (readonly (readonly (OtherCurve)[])[])[];
+}
+
+export interface OtherCurve {
+  readonly is: "OtherCurve";
+  readonly names: readonly (string)[];
+  readonly symbol: string;
+  readonly values: Numbers;
+  readonly across: Numbers | null;
+}
+
 export interface PageTrust {
   readonly is: "PageTrust";
   readonly to_mind: readonly (string)[];
@@ -541,6 +556,8 @@ export interface PageWords {
   readonly dark: string;
   readonly ghosts: string;
   readonly pistons: string;
+  readonly others: string;
+  readonly others_hint: string;
   readonly throws: string;
   readonly members: string;
 }

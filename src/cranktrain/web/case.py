@@ -22,6 +22,7 @@ from cranktrain.web.asked import MOST_KEPT, Case, ClickedPart, SentMachine
 from cranktrain.web.case_words import CaseWords, case_words
 from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
+from cranktrain.web.other_pistons import other_pistons
 from cranktrain.web.packed import Packed, packed
 from cranktrain.web.page import ShownMachine, machine_page, page_members_of, shown_throw, tab_content, tab_names
 from cranktrain.web.whence import page_whence
@@ -141,9 +142,15 @@ def packed_page(case: Case, tab: str, beside: Case | None = None, piston: str = 
 def packed_tab(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
     """Compute what stands on a tab, and pack it; as `packed_page`."""
     _file, result = _computed(case)
-    names = tab_names(result)
     with result.in_its_units():
-        return packed(tab_content(result, tab if tab in names else names[0], _result_of(beside), piston))
+        return packed(tab_content(result, _tab_of(result, tab), _result_of(beside), piston))
+
+
+def packed_others(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
+    """Collect the curves of the pistons that are not chosen on a tab, and pack them; as `packed_page`."""
+    _file, result = _computed(case)
+    with result.in_its_units():
+        return packed(other_pistons(result, _tab_of(result, tab), _result_of(beside), piston))
 
 
 def packed_trust(case: Case) -> Packed:
@@ -209,6 +216,12 @@ def packed_whence(case: Case, quantity: str) -> Packed:
 def export_of(case: Case, tab: str, suffix: str) -> bytes:
     """Make a file to take away, as `exported` does."""
     return exported(*_computed(case), tab, suffix)
+
+
+def _tab_of(result: Result, name: str) -> str:
+    """Give the name of a tab; of the first where there is none of it."""
+    names = tab_names(result)
+    return name if name in names else names[0]
 
 
 def _result_of(case: Case | None) -> Result | None:
