@@ -50,6 +50,7 @@ export interface TabContent {
   readonly course: PageCourse | null;
   readonly has_others: boolean;
   readonly others: PageOthers | null;
+  readonly rests_on: string;
 }
 
 export interface WrittenGroup {

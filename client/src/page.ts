@@ -65,6 +65,7 @@ export class MachinePage {
   private readonly members = new Members();
   private readonly leftOut = html("p", { class: "note" });
   private readonly answers = html("div", { class: "answers" });
+  private readonly restsOn = html("p", { class: "rests-on" });
   private readonly sentence = html("p", { class: "sentence", "aria-live": "polite" });
   private readonly checked = html("div", {});
   private readonly toMind = html("div", {});
@@ -85,6 +86,7 @@ export class MachinePage {
   /** Time that the address asked for. [s] */
   private asked = NaN;
   private said = "";
+  private restsOnSaid = "";
   private page: ShownMachine;
   private own: readonly OwnTab[];
   private readonly ownPanel = html("div", { class: "sheets", role: "tabpanel", hidden: "" });
@@ -129,7 +131,7 @@ export class MachinePage {
       right,
     );
     this.head = html("header", { class: "head" }, this.title, this.made);
-    into.replaceChildren(this.head, this.tabs, this.sentence, this.columns);
+    into.replaceChildren(this.head, this.tabs, this.sentence, this.restsOn, this.columns);
     dragged(this.stage, () => this.mechanism, () => this.cursor);
     this.ghosts.addEventListener("click", () => { this.haunt(true); });
     document.addEventListener("keydown", (event) => { pressed(event, this.cursor, { KeyG: () => { this.haunt(true); }, KeyE: () => { this.handles.toggle(); } }); });
@@ -237,6 +239,7 @@ export class MachinePage {
     this.panel.hidden = own !== null;
     this.ownPanel.hidden = own === null;
     this.sentence.hidden = own !== null;
+    this.restsOn.hidden = own !== null;
     if (own) {
       if (this.ownPanel.firstChild !== own.element) this.ownPanel.replaceChildren(own.element);
       own.fit();
@@ -269,6 +272,8 @@ export class MachinePage {
     this.panel.classList.remove("computing");
     if (this.said !== content.sentence) this.sentence.replaceChildren(said(content.sentence));
     this.said = content.sentence;
+    if (this.restsOnSaid !== content.rests_on) this.restsOn.replaceChildren(said(content.rests_on));
+    this.restsOnSaid = content.rests_on;
     this.answers.replaceChildren(answer(content.answer, this.source?.whence), ...(content.beside ? [table(content.beside)] : []));
     this.differ.hidden = !hasDifferences(content);
     this.sheets.take(content, this.page.words.numbers, this.isOfDifferences);

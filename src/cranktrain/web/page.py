@@ -8,6 +8,7 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.analysis.answer import answer_titles, rows_that_say_most, rows_under
 from cranktrain.analysis.minded import to_mind
+from cranktrain.io.rests_on import rests_on
 from cranktrain.io.title import headed
 from cranktrain.language import Words, _
 from cranktrain.layout.places import PlacedMechanism
@@ -248,8 +249,10 @@ def tab_content(result: Result, title: str, saved: Result | None = None, piston:
             return tab.content(result)
     rows = rows_under(result, title)
     sheets = tuple(page_sheets(result, title, saved, piston))
+    first = rows_that_say_most(result, title, rows)
     return TabContent(
-        sentence=row_sentence(_(title), rows_that_say_most(result, title, rows)),
+        sentence=row_sentence(_(title), first),
+        rests_on=rests_on(result, title, first),
         answer=written_group(_(title), rows),
         beside=None if saved is None else facts_beside(result, saved, title),
         sheets=sheets,

@@ -123,6 +123,8 @@ class TabContent:
         Whether it has curves of one piston of several, of which the others' may be asked for.
     others : PageOthers or None
         These, where nobody can be asked; None where they are not there.
+    rests_on : Words
+        What the sentence rests on; none where nothing is said.
     """
 
     sentence: Words
@@ -133,6 +135,7 @@ class TabContent:
     course: PageCourse | None = None
     has_others: bool = False
     others: PageOthers | None = None
+    rests_on: Words = ""
 
 
 class AskedTab(NamedTuple):
