@@ -29,7 +29,7 @@ from cranktrain.web.members_table import PageMembers, page_members
 from cranktrain.web.other_pistons import has_others
 from cranktrain.web.saved_facts import facts_beside
 from cranktrain.web.start_tab import START
-from cranktrain.web.tab_sheets import has_piston, named, page_sheets, questions_under, sheet_makers
+from cranktrain.web.tab_sheets import has_piston, named, page_sheets, questions_under, sheet_makers, without_repeated
 from cranktrain.web.tabs import TabContent
 from cranktrain.web.textbook_tab import TEXTBOOK
 from cranktrain.web.throws import PagePiston, PageThrow, page_pistons, page_throws
@@ -255,7 +255,7 @@ def tab_content(result: Result, title: str, saved: Result | None = None, piston:
         rests_on=rests_on(result, title, first),
         answer=written_group(_(title), rows),
         beside=None if saved is None else facts_beside(result, saved, title),
-        sheets=sheets,
+        sheets=tuple(without_repeated(sheets)),
         has_others=has_others(result, title, sheets),
         vectors=tuple(map(_vectors_as_seen, _vectors(result, title, piston))),
     )

@@ -1,6 +1,6 @@
 """Sheets under a title as a page draws them; those of one piston of the one that is chosen."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from importlib import import_module
 from inspect import signature
 from itertools import zip_longest
@@ -11,7 +11,7 @@ from cranktrain.errors import InputError
 from cranktrain.language import _
 from cranktrain.layout.question import Question
 from cranktrain.machine import Machine
-from cranktrain.panels.parts import Sheet, SheetColumn, Stack
+from cranktrain.panels.parts import Notes, Sheet, SheetColumn, Stack
 from cranktrain.panels.plotted import plot_of
 from cranktrain.panels.shapes import Panel
 from cranktrain.panels.sheets import pictures_of
@@ -38,6 +38,20 @@ def page_sheets(result: Result, title: str, saved: Result | None, piston: str) -
     if panels:
         curves = page_curves(Stack(panels), _("Crank angle φ, °"), Stack(others))
         yield PageSheet("", ((curves,),))
+
+
+def without_repeated(sheets: Iterable[PageSheet]) -> Iterator[PageSheet]:
+    """Leave out sheets that say of the file what one before has said."""
+    told: set[tuple[str, ...]] = set()
+    for sheet in sheets:
+        match sheet.columns:
+            case ((Notes(sentences=sentences),),):
+                if (said := tuple(map(str, sentences))) in told:
+                    continue
+                told.add(said)
+            case _:
+                pass
+        yield sheet
 
 
 def sheet_makers(result: Result, title: str) -> Iterator[Callable[..., Any]]:

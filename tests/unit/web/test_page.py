@@ -179,3 +179,12 @@ def test_a_page_of_another_piston_has_its_throw_and_its_curves():
     assert machine_page(found, "Motion", piston="no such").drawing.mechanisms[0].name == "1L"
     assert {one.name for one in other.pistons} == set(found.labels["piston"])
     assert page("burning_cylinder").pistons == ()
+
+
+@pytest.mark.parametrize("name", ["pumping_unit_c57", "eccentric_press", "deltic"])
+def test_what_the_file_lacks_for_two_sheets_is_said_once(name):
+    (tab,) = [one for one in page(name).tabs if one.name == "Evenness"]
+    lacking = [part.sentences for part in parts(tab) if isinstance(part, Notes)]
+    assert [list(map(str, one)) for one in lacking] == [
+        ["evenness: a diagram of the flywheel needs [evenness] coefficient"]
+    ]
