@@ -525,6 +525,7 @@ export interface CursorColumn {
 export interface PagePiston {
   readonly is: "PagePiston";
   readonly name: string;
+  readonly number: string;
   readonly firing: string;
   readonly shaft: string;
   readonly throw: number;

@@ -91,8 +91,9 @@ const keyOf = (shaft: string, throw_: number): string => `${encodeURIComponent(s
 
 const names = (ray: SVGElement): string[] => (ray.getAttribute("data-throws") ?? "").split(" ");
 
-/** A piston, and when it fires. */
+/** A piston, before it the maker's number, and when it fires. */
 function choice(piston: PagePiston): HTMLElement {
   const input = html("input", { type: "radio", name: "piston", value: piston.name });
-  return html("label", {}, input, html("b", {}, piston.name), ...(piston.firing ? [" ", html("span", {}, piston.firing)] : []));
+  const called = piston.number && piston.number !== piston.name ? `${piston.number} · ${piston.name}` : piston.name;
+  return html("label", {}, input, html("b", {}, called), ...(piston.firing ? [" ", html("span", {}, piston.firing)] : []));
 }
