@@ -26,6 +26,21 @@ export class Throws {
   constructor(pick: (piston: string) => void) {
     this.pick = pick;
     this.list.addEventListener("change", (event) => { if (event.target instanceof HTMLInputElement) this.pick(event.target.value); });
+    this.list.addEventListener("keydown", (event) => {
+      if (event.key !== "Home" && event.key !== "End") return;
+      event.preventDefault();
+      this.go(event.key === "Home" ? 0 : -1);
+    });
+  }
+
+  /** Choose a piston by its place in the list, as arrow keys do. */
+  private go(place: number): void {
+    const input = [...this.list.querySelectorAll("input")].at(place);
+    if (!input) return;
+    input.focus();
+    if (input.checked) return;
+    input.checked = true;
+    this.pick(input.value);
   }
 
   /** Offer pistons, of which one is shown; what is offered already stays. */

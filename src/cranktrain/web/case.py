@@ -6,6 +6,7 @@ from pathlib import Path
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
 from cranktrain.io.added_tables import with_part
 from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of
 from cranktrain.io.machine_source import MachineSource, source_called, source_of_text
@@ -15,7 +16,7 @@ from cranktrain.mechanisms.by_hand import Clicked
 from cranktrain.one_line import one_line
 from cranktrain.panels.additions import DrawnAddition, added_table, drawn_additions
 from cranktrain.panels.handles import DrawnHandle, drawn_handles
-from cranktrain.paths import parts_of
+from cranktrain.paths import PathParts, item_at, parts_of, path_text
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.asked import MOST_KEPT, Case, ClickedPart, SentMachine
@@ -280,16 +281,23 @@ def _languages() -> Iterator[PageLanguage]:
 
 def _tables(file: MachineFile) -> tuple[NumbersOfTable, ...]:
     """Give the numbers of a file, table by table."""
-    tables: dict[str, list[Input]] = {}
-    for one in inputs_of(file):
-        tables.setdefault(_table_of(one.path), []).append(one)
-    return tuple(NumbersOfTable(name, tuple(map(_page_input, inputs))) for name, inputs in tables.items())
+    tables = grouped((_table_of(one.path), one) for one in inputs_of(file))
+    return tuple(
+        NumbersOfTable(_table_name(file, above), tuple(map(_page_input, inputs))) for above, inputs in tables.items()
+    )
 
 
-def _table_of(path: str) -> str:
-    """Name the table in which a number stands, as the file does."""
-    names = [str(part) for part in parts_of(path) if isinstance(part, str)]
-    return f"[{'.'.join(names[:-1])}]" if len(names) > 1 else ""
+def _table_of(path: str) -> PathParts:
+    """Find the table in which a number stands: above its key, or the key of its list."""
+    parts = parts_of(path)
+    return parts[: max((place for place, part in enumerate(parts) if isinstance(part, str)), default=0)]
+
+
+def _table_name(file: MachineFile, above: PathParts) -> str:
+    """Name a table by its path, with the name that it has in the file beside where it has one."""
+    called = item_at(file.document.data, (*above, "name")) if above else None
+    path = f"[{path_text(above)}]" if above else ""
+    return f"{path} {called}" if isinstance(called, str) else path
 
 
 @lru_cache(_MOST_INPUTS)
