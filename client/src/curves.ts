@@ -6,7 +6,7 @@ import { type Figures, NumbersOf, plain, titled } from "./charts.ts";
 import type { Curve, OtherCurve, PageCurves, Panel } from "./data.ts";
 import { html, svg } from "./elements.ts";
 import { canvasColour, type Ink, inkOf, LEVELS, PENS } from "./ink.ts";
-import { extent, figure, figures, interpolated, number, same, ticks } from "./numbers.ts";
+import { extent, figure, figures, interpolated, number, read, same, ticks } from "./numbers.ts";
 import { fineness } from "./paper.ts";
 import { nearest, type Line } from "./nearest.ts";
 import { said, symbol } from "./words.ts";
@@ -203,7 +203,7 @@ class ShownPanel {
     const place = at > end ? at % end : at;
     this.readings.forEach((reading, which) => {
       const line = this.lines[which];
-      if (line) reading.textContent = figures(interpolated(line.across, line.values, place), this.largest);
+      if (line) reading.textContent = figures(read(line.across, line.values, place), this.largest);
     });
     this.cursor.style.left = `${((100 * (place - start)) / (end - start)).toFixed(3)}%`;
   }
@@ -267,7 +267,7 @@ class ShownPanel {
     };
     if (this.hasCursor) {
       const places = panel.across_unit === "°" ? each(...this.reach, STEP) : ticks(...this.reach, MOST_ROWS);
-      const row = (place: number): string[] => shown.map((which) => lines[which] as Line).map((line) => value(interpolated(line.across, line.values, place)));
+      const row = (place: number): string[] => shown.map((which) => lines[which] as Line).map((line) => value(read(line.across, line.values, place)));
       return { heads: [over, ...shown.map(headOf)], rows: places.map((place) => [figure(place, (places[1] ?? 1) - (places[0] ?? 0)), ...row(place)]) };
     }
     const most = Math.min(MOST_ROWS, Math.max(0, ...shown.map((which) => lines[which]?.across.length ?? 0)));

@@ -109,3 +109,25 @@ def test_on_a_desk_all_of_a_tab_is_seen_at_once(opened):
     for part in ("h1", "svg.mechanism", ".answer tr:last-child", ".panel:last-child .plot"):
         box = page.locator(part).last.bounding_box()
         assert box["y"] + box["height"] <= 900, part
+
+
+COVERED = """() => {
+    const own = document.querySelector("svg.mechanism").getBoundingClientRect();
+    const texts = [...document.querySelectorAll("svg.mechanism text")]
+        .filter((one) => one.textContent && one.checkVisibility() && !one.closest("[hidden]"))
+        .map((one) => [one.textContent, one.getBoundingClientRect()]);
+    const overlap = (one, other) => Math.min(one.right, other.right) - Math.max(one.left, other.left) > 1
+        && Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top) > 3;
+    const off = texts.filter(([, box]) => box.left < own.left - 1 || box.right > own.right + 1).map(([text]) => text);
+    return [...off, ...texts.flatMap(([text, box], place) => texts.slice(place + 1)
+        .filter(([, other]) => overlap(box, other)).map(([other]) => `${text} / ${other}`))];
+}"""
+
+
+@pytest.mark.parametrize(
+    ("name", "angle"), [("eccentric_press", 350), ("10d100", 100), ("toggle_press", 0), ("deltic", 40), ("3d12", 40)]
+)
+def test_what_goes_along_with_the_drawing_stands_clear_of_all_words_on_it(opened, name, angle):
+    page = opened(name, f"#phi={angle}&tab=Motion")
+    page.evaluate(SETTLED)
+    assert page.evaluate(COVERED) == []
