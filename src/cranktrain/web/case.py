@@ -137,7 +137,8 @@ def packed_page(case: Case, tab: str, beside: Case | None = None, piston: str = 
     file, result = _computed(case)
     with result.in_its_units():
         page = machine_page(result, tab, _result_of(beside), piston)
-        return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), case_words()))
+        words = case_words(adds_parts=any(place.kind.additions for place in file.machine.places))
+        return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), words))
 
 
 def packed_tab(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:

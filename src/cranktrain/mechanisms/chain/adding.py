@@ -45,6 +45,17 @@ class _Typing(NamedTuple):
         decimals = decimals_of(self.step)
         return f"{round(length / self.size / self.step) * self.step + 0.0:.{decimals}f} {self.unit}"
 
+    def reaching(self, one: float, other: float, apart: float) -> tuple[float, float]:
+        """Give the lengths of two links between pins so far apart such that they still meet when they are typed. [m]
+
+        Where they lie nearly in line, the shorter one grows by as many steps as it takes.
+        """
+        long, short = sorted(map(self.rounded, (one, other)), reverse=True)
+        lacks = max(apart - (long + short), (long - short) - apart)
+        if lacks >= 0.0:
+            short += (np.floor(lacks / self.size / self.step) + 1.0) * self.step * self.size
+        return (long, short) if one >= other else (short, long)
+
     def is_small(self, length: float) -> bool:
         """Whether a length may be a click that missed."""
         return abs(length) < _NEAR * self.step * self.size
@@ -144,10 +155,12 @@ def _pair(shown: _Shown, clicks: Sequence[Clicked]) -> AddedTable:
         if shown.typing.is_small(float(np.hypot(*(at - pin)))):
             raise _refusal(clicked, _("is where both links would meet; let them meet elsewhere"))
     (x, y), (across, up) = end - start, at - start
+    to_joint, from_joint = (float(np.hypot(*(at - pin))) for pin in (start, end))
+    rod, rocker = shown.typing.reaching(to_joint, from_joint, float(np.hypot(x, y)))
     part: dict[str, Any] = {
         "type": "pin",
-        "rod": _link(shown, "rod", first, np.hypot(*(at - start))),
-        "rocker": _link(shown, "rocker", last, np.hypot(*(at - end))),
+        "rod": _link(shown, "rod", first, rod),
+        "rocker": _link(shown, "rocker", last, rocker),
         "joint": shown.new("B"),
         "side": "left" if x * up - y * across > 0.0 else "right",
     }
