@@ -33,6 +33,8 @@ const TURNING = [2.2, 2.9] as const;
 
 /** Length of the arrow of the largest load in parts of the picture's longer side. */
 const ARROW = 0.16;
+/** So far from its link's first pin what holds a force's point is drawn. */
+const APART = 6;
 /** How far over and under its arrow what is said of a load may stand, in turn. [px] */
 const ROWS: readonly number[] = [-4, 14, -18, 28, -32];
 
@@ -103,7 +105,7 @@ export class Mechanism {
       this.joints(one, pins);
     }
     for (const { of, link } of this.ownLinks().reverse()) this.link(of, link, links);
-    for (const load of drawing.loads) this.load(load, loads);
+    for (const load of drawing.loads) this.load(load, loads, paths);
     this.scaleBar(box, still);
     this.element.append(this.layer, this.marks, this.held);
     this.show(0);
@@ -538,11 +540,13 @@ export class Mechanism {
   }
 
   /** A load: an arrow as long as it is part of the largest. */
-  private load(load: LoadDrawing, into: SVGGElement): void {
+  private load(load: LoadDrawing, into: SVGGElement, under: SVGGElement): void {
     const largest = number(load.largest);
     if (!(largest > 0)) return;
     const arrow = svg("path", { class: "load" });
+    const held = svg("path", { class: "held" });
     const label = svg("text", { class: "load" });
+    under.append(held);
     into.append(arrow, label);
     const long = ARROW * LONG;
     this.moving.push((angle) => {
@@ -551,6 +555,7 @@ export class Mechanism {
       const isThere = Number.isFinite(part) && Math.abs(part) > 0.004;
       arrow.toggleAttribute("hidden", !isThere);
       label.toggleAttribute("hidden", !isThere);
+      if (!load.is_torque) held.setAttribute("d", this.heldBy(load, angle));
       if (!isThere) return;
       label.textContent = `${load.name} ${figures((part * largest) / number(load.one), largest / number(load.one))} ${load.unit}`;
       const end = this.point(get(row(load.place, 0)), get(row(load.place, 1)));
@@ -572,6 +577,19 @@ export class Mechanism {
       arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, Math.atan2(end.y - start.y, end.x - start.x))}`);
       this.putBeside(label, start, 5);
     });
+  }
+
+  /** What holds a force's point, away from the pins of its link: a line from its first pin, and of a rope the arc off which it comes, as a horsehead has it. */
+  private heldBy(load: LoadDrawing, angle: number): string {
+    const of = (numbers: Numbers): Point => this.point(between(row(numbers, 0), this.cycle, angle), between(row(numbers, 1), this.cycle, angle));
+    const [pin, end] = [of(load.pin), of(load.place)];
+    const radius = Math.hypot(end.x - pin.x, end.y - pin.y);
+    if (!(radius > APART)) return "";
+    if (!load.is_rope) return polyline([pin, end]);
+    const middle = Math.atan2(end.y - pin.y, end.x - pin.x);
+    const half = Math.min((1.5 * ARROW * LONG) / radius, Math.PI / 2);
+    const [from, to] = [middle - half, middle + half].map((one) => ({ x: pin.x + radius * Math.cos(one), y: pin.y + radius * Math.sin(one) })) as [Point, Point];
+    return `${polyline([pin, end])}M${xy(from)}A${radius} ${radius} 0 0 1 ${xy(to)}`;
   }
 
   /** Put what is said of a load to the right or the left of a point, so far away, where there is room. */

@@ -1,5 +1,8 @@
 """How a page is laid out, measured in a browser: letters are large enough and stand clear, controls are in reach."""
 
+import re
+
+import numpy as np
 import pytest
 from tests.browser import Watched
 from tests.serving import served
@@ -131,3 +134,20 @@ def test_what_goes_along_with_the_drawing_stands_clear_of_all_words_on_it(opened
     page = opened(name, f"#phi={angle}&tab=Motion")
     page.evaluate(SETTLED)
     assert page.evaluate(COVERED) == []
+
+
+def test_a_horsehead_is_as_far_from_its_pivot_as_the_file_says(opened):
+    """64 in: its line to the scale of the bar beside, at any crank angle."""
+    page = opened("pumping_unit_c57", "#phi=40")
+    for _step in range(3):
+        page.keyboard.press("Shift+ArrowRight")
+        bar, beam = (
+            page.evaluate(f"document.querySelector('svg.mechanism {path}').getAttribute('d')")
+            for path in ("path.scale", "path.held")
+        )
+        start, end = re.search(r"M([-\d.]+) [-\d.]+H([-\d.]+)", bar).groups()
+        x0, y0, x1, y1 = map(float, re.match(r"M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)M", beam).groups())
+        words = page.locator("svg.mechanism text.scale").first.text_content()
+        assert words == "500 mm"
+        length = 500.0 * np.hypot(x1 - x0, y1 - y0) / (float(end) - float(start))
+        assert length == pytest.approx(64 * 25.4, rel=1e-3)
