@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from tests.sentences import MISSING_FOR_DIAGRAM
 from tests.unit.web.test_packed import array
 
 import cranktrain as ct
@@ -185,6 +186,4 @@ def test_a_page_of_another_piston_has_its_throw_and_its_curves():
 def test_what_the_file_lacks_for_two_sheets_is_said_once(name):
     (tab,) = [one for one in page(name).tabs if one.name == "Evenness"]
     lacking = [part.sentences for part in parts(tab) if isinstance(part, Notes)]
-    assert [list(map(str, one)) for one in lacking] == [
-        ["evenness: a diagram of the flywheel needs [evenness] coefficient"]
-    ]
+    assert [list(map(str, one)) for one in lacking] == [[f"evenness: {MISSING_FOR_DIAGRAM}[evenness] coefficient"]]
