@@ -8,7 +8,7 @@ import { Address, type Asked, askedIn, last } from "./address.ts";
 import { ask, look, opened, Refused } from "./asking.ts";
 import { Bar } from "./bar.ts";
 import { Colours } from "./colours.ts";
-import type { CaseWords, Gallery, PageCase, PageGoingOn, PageHandles, PageMembers, PageOffer, PageWhence, TabContent } from "./data.ts";
+import type { CaseWords, Gallery, PageCase, PageGoingOn, PageHandles, PageMembers, PageOffer, PageOthers, PageWhence, TabContent } from "./data.ts";
 import { DesignTab } from "./design.ts";
 import { html } from "./elements.ts";
 import { Form, lines, sentence, type Problem } from "./form.ts";
@@ -225,6 +225,7 @@ class App {
     const { signal } = this.asking;
     const source: Source = {
       tab: async (name) => (await this.more("api/tab", asked, signal, name)) as TabContent,
+      others: async (name) => (await this.more("api/others", asked, signal, name)) as PageOthers,
       trust: async () => {
         const { trust, offers, facts, exports } = (await this.more("api/trust", asked, signal)) as PageGoingOn;
         this.offer(offers, words.more);

@@ -3,11 +3,12 @@
 import uPlot from "uplot";
 
 import { type Figures, NumbersOf, plain, titled } from "./charts.ts";
-import type { Curve, PageCurves, Panel } from "./data.ts";
+import type { Curve, OtherCurve, PageCurves, Panel } from "./data.ts";
 import { html, svg } from "./elements.ts";
 import { canvasColour, type Ink, inkOf, LEVELS, PENS } from "./ink.ts";
-import { extent, figure, figures, interpolated, number, same, ticks } from "./numbers.ts";
+import { extent, figure, figures, interpolated, number, read, same, ticks } from "./numbers.ts";
 import { fineness } from "./paper.ts";
+import { nearest, type Line } from "./nearest.ts";
 import { said, symbol } from "./words.ts";
 
 const AXIS = 54;
@@ -30,6 +31,13 @@ const BESIDE = 0.08;
 const NEAR = 0.5;
 /** Which of the values set the scale where the links cannot close all round. */
 const MIDDLE: readonly [number, number] = [0.04, 0.96];
+
+/** How near one has to point at a line, and the line of other pistons at which one points. [px] */
+const AIMED = 7;
+const POINTED = 1.8;
+const FAINT = 0.6;
+/** Names of pistons that have one curve. */
+const BETWEEN = ", ";
 
 /** Of curves that stand beside others of their name. */
 const UNNAMED: ReadonlySet<Curve["role"]> = new Set(["ray", "half_ray", "textbook", "saved"]);
@@ -67,6 +75,11 @@ export class ShownCurves implements Shown {
     for (const one of this.panels) one.fit();
   }
 
+  /** Show the same curves of other pistons behind these, panel by panel, with the word for them; or none. */
+  takeOthers(panels: readonly (readonly OtherCurve[])[], word: string): void {
+    this.panels.forEach((panel, place) => { panel.takeOthers(panels[place] ?? [], word); });
+  }
+
   /** Show other values of the same curves where they stand; false of other curves. */
   take(part: PageCurves): boolean {
     if (!same(headOf(this.part), headOf(part))) return false;
@@ -94,12 +107,6 @@ interface Manner {
   readonly unit: string;
 }
 
-/** Points of a curve: along and up. */
-interface Line {
-  readonly across: Float32Array;
-  readonly values: Float32Array;
-}
-
 class ShownPanel {
   readonly element: HTMLElement;
   private readonly room = html("div", { class: "plot" });
@@ -113,6 +120,12 @@ class ShownPanel {
   private readonly inks = new Map<Ink, string>();
   private panel: Panel;
   private lines: readonly Line[] = [];
+  private others: readonly OtherCurve[] = [];
+  private otherLines: readonly Line[] = [];
+  /** Of the other pistons' lines that at which somebody points, or −1. */
+  private pointed = -1;
+  private readonly otherItem = html("li", { class: "ink-muted", hidden: "" });
+  private readonly whose = html("div", { class: "whose", hidden: "" });
   private largest = 0;
   /** Ends of the axes. */
   private reach: readonly [number, number] = [0, 1];
@@ -141,15 +154,46 @@ class ShownPanel {
   /** Show other values of the same curves. */
   take(panel: Panel): void {
     this.panel = panel;
-    this.lines = panel.curves.map((curve) => ({ across: (curve.across ?? panel.across).values, values: curve.values.values }));
+    this.lines = panel.curves.map((curve) => lineOf(curve, panel));
     this.largest = Math.max(0, ...this.lines.flatMap((line) => extent(line.values).map(Math.abs)).filter(Number.isFinite));
-    this.reach = this.findReach();
-    this.limits = this.findLimits();
+    this.scale();
     this.corner.replaceChildren(...(panel.corner.length ? [html("figcaption", { class: "corner" }, ...panel.corner.flatMap((one) => [said(one), html("br")]))] : []));
     const below = [...panel.below.map(([, words]) => words), ...panel.marks.filter((one) => one.words && one.sort !== "angle").map((one) => one.words)];
     this.below.replaceChildren(...(below.some(Boolean) ? [html("figcaption", { class: "below" }, ...below.flatMap((words, place) => (place ? [" · ", said(words)] : [said(words)])))] : []));
     this.plot?.setData(this.data());
     this.numbers.renew();
+  }
+
+  /** Show curves of other pistons behind its own, with the word for them, or none. */
+  takeOthers(others: readonly OtherCurve[], word: string): void {
+    if (!others.length && !this.others.length) return;
+    this.others = others;
+    this.otherLines = others.map((one) => lineOf(one, this.panel));
+    this.otherItem.hidden = others.length === 0;
+    this.otherItem.replaceChildren(lineSample("each"), word);
+    this.otherItem.title = [...new Set(others.flatMap((one) => one.names))].join(BETWEEN);
+    this.point(-1);
+    this.scale();
+    this.plot?.setData(this.data());
+  }
+
+  private scale(): void {
+    this.reach = this.findReach();
+    this.limits = this.findLimits();
+  }
+
+  /** Tell whose line it is at which somebody points. */
+  private point(which: number, left = 0, top = 0): void {
+    const one = this.others[which];
+    this.whose.hidden = !one;
+    if (one) {
+      this.whose.replaceChildren(...(one.symbol ? [symbol(one.symbol), " "] : []), one.names.join(BETWEEN));
+      this.whose.classList.toggle("left", left > this.room.clientWidth / 2);
+      Object.assign(this.whose.style, { left: `${left}px`, top: `${top}px` });
+    }
+    if (this.pointed === which) return;
+    this.pointed = which;
+    this.plot?.redraw(false);
   }
 
   show(at: number): void {
@@ -159,7 +203,7 @@ class ShownPanel {
     const place = at > end ? at % end : at;
     this.readings.forEach((reading, which) => {
       const line = this.lines[which];
-      if (line) reading.textContent = figures(interpolated(line.across, line.values, place), this.largest);
+      if (line) reading.textContent = figures(read(line.across, line.values, place), this.largest);
     });
     this.cursor.style.left = `${((100 * (place - start)) / (end - start)).toFixed(3)}%`;
   }
@@ -171,6 +215,7 @@ class ShownPanel {
     this.inks.clear();
     this.finer = fineness();
     this.plot = new uPlot(this.options(width), this.data(), this.room);
+    this.plot.over.append(this.whose);
     if (this.hasCursor) {
       this.plot.over.append(this.cursor);
       this.show(this.place);
@@ -199,6 +244,7 @@ class ShownPanel {
       if (this.hasCursor) item.append(reading);
       if (this.isNamed(curve)) list.append(item);
     });
+    list.append(this.otherItem);
     return list;
   }
 
@@ -221,7 +267,7 @@ class ShownPanel {
     };
     if (this.hasCursor) {
       const places = panel.across_unit === "°" ? each(...this.reach, STEP) : ticks(...this.reach, MOST_ROWS);
-      const row = (place: number): string[] => shown.map((which) => lines[which] as Line).map((line) => value(interpolated(line.across, line.values, place)));
+      const row = (place: number): string[] => shown.map((which) => lines[which] as Line).map((line) => value(read(line.across, line.values, place)));
       return { heads: [over, ...shown.map(headOf)], rows: places.map((place) => [figure(place, (places[1] ?? 1) - (places[0] ?? 0)), ...row(place)]) };
     }
     const most = Math.min(MOST_ROWS, Math.max(0, ...shown.map((which) => lines[which]?.across.length ?? 0)));
@@ -235,8 +281,9 @@ class ShownPanel {
 
   private findLimits(): readonly [number, number] {
     if (this.panel.limits) return [number(this.panel.limits[0]), number(this.panel.limits[1])];
-    const known = this.lines.flatMap((line) => Array.from(line.values).filter(Number.isFinite));
-    const hasGaps = this.lines.some((line) => line.values.some((one) => !Number.isFinite(one)));
+    const lines = [...this.lines, ...this.otherLines];
+    const known = lines.flatMap((line) => Array.from(line.values).filter(Number.isFinite));
+    const hasGaps = lines.some((line) => line.values.some((one) => !Number.isFinite(one)));
     let [low, high] = extent(known);
     if (hasGaps && known.length) {
       known.sort((one, other) => one - other);
@@ -254,7 +301,7 @@ class ShownPanel {
 
   private findReach(): readonly [number, number] {
     if (this.panel.reach) return [number(this.panel.reach[0]), number(this.panel.reach[1])];
-    const [low, high] = extent(this.lines.flatMap((line) => [...extent(line.across)]));
+    const [low, high] = extent([...this.lines, ...this.otherLines].flatMap((line) => [...extent(line.across)]));
     if (this.manner.isStacked) return [Math.min(0, low), high];
     const room = 0.03 * (high - low);
     return [low === 0 ? 0 : low - room, high + room];
@@ -299,6 +346,18 @@ class ShownPanel {
   }
 
   private listen(plot: uPlot): void {
+    const aim = (event: PointerEvent): void => {
+      if (!this.others.length) return;
+      const box = plot.over.getBoundingClientRect();
+      const [left, top] = [event.clientX - box.left, event.clientY - box.top];
+      const x = (value: number): number => plot.valToPos(value, "x");
+      const y = (value: number): number => plot.valToPos(value, "y");
+      const found = nearest([...this.lines, ...this.otherLines], x, y, [left, top], AIMED) - this.lines.length;
+      this.point(Math.max(found, -1), left, top);
+    };
+    plot.over.addEventListener("pointermove", aim);
+    plot.over.addEventListener("pointerdown", aim);
+    plot.over.addEventListener("pointerleave", () => { this.point(-1); });
     if (!this.hasCursor) return;
     const turn = (event: PointerEvent): void => {
       const box = plot.over.getBoundingClientRect();
@@ -333,6 +392,7 @@ class ShownPanel {
         else { ink.moveTo(box.left, y(place)); ink.lineTo(box.left + box.width, y(place)); }
       });
     }
+    this.otherLines.forEach((line, place) => { this.drawOther(ink, line, place === this.pointed, x, y, ratio); });
     const inOrder = [...this.panel.curves.entries()].sort(([, one], [, other]) => Number(other.role === "saved") - Number(one.role === "saved"));
     for (const [place, curve] of inOrder) {
       const line = this.lines[place];
@@ -369,15 +429,7 @@ class ShownPanel {
       });
       return;
     }
-    stroke(ink, colour, pen.width * ratio, pen.dashes.map((one) => one * ratio), () => {
-      let isDown = false;
-      line.values.forEach((value, place) => {
-        const isThere = Number.isFinite(value);
-        if (isThere && isDown) ink.lineTo(x(line.across[place] ?? NaN), y(value));
-        else if (isThere) ink.moveTo(x(line.across[place] ?? NaN), y(value));
-        isDown = isThere;
-      });
-    });
+    stroke(ink, colour, pen.width * ratio, pen.dashes.map((one) => one * ratio), () => { along(ink, line, x, y); });
     if (curve.role !== "second") return;
     for (let angle = 15; angle < 720; angle += 30) {
       const value = interpolated(line.across, line.values, angle);
@@ -388,6 +440,12 @@ class ShownPanel {
       ink.fill();
       stroke(ink, colour, ratio, [], () => { ink.arc(x(angle), y(value), 2.6 * ratio, 0, 2 * Math.PI); });
     }
+  }
+
+  private drawOther(ink: CanvasRenderingContext2D, line: Line, isPointed: boolean, x: (one: number) => number, y: (one: number) => number, ratio: number): void {
+    ink.globalAlpha = isPointed ? 1 : FAINT;
+    stroke(ink, this.ink(isPointed ? "ink" : "muted"), (isPointed ? POINTED : PENS.each.width) * ratio, [], () => { along(ink, line, x, y); });
+    ink.globalAlpha = 1;
   }
 
   /** Shade where the links cannot close, and where nothing can be. */
@@ -405,6 +463,20 @@ class ShownPanel {
     });
     if (!Number.isNaN(start)) shade(start, line.across[line.across.length - 1] ?? start);
   }
+}
+
+/** The points of a curve in its panel. */
+const lineOf = (curve: Curve | OtherCurve, panel: Panel): Line => ({ across: (curve.across ?? panel.across).values, values: curve.values.values });
+
+/** Go along a line, in pieces where it has gaps. */
+function along(ink: CanvasRenderingContext2D, line: Line, x: (one: number) => number, y: (one: number) => number): void {
+  let isDown = false;
+  line.values.forEach((value, place) => {
+    const isThere = Number.isFinite(value);
+    if (isThere && isDown) ink.lineTo(x(line.across[place] ?? NaN), y(value));
+    else if (isThere) ink.moveTo(x(line.across[place] ?? NaN), y(value));
+    isDown = isThere;
+  });
 }
 
 /** Crank angles at an axis so wide: each 30°, or fewer, so that their figures stand clear. */

@@ -48,6 +48,9 @@ export interface TabContent {
   readonly beside: PageTable | null;
   readonly vectors: readonly (VectorsToScale)[];
   readonly course: PageCourse | null;
+  readonly has_others: boolean;
+  readonly others: PageOthers | null;
+  readonly rests_on: string;
 }
 
 export interface WrittenGroup {
@@ -360,6 +363,19 @@ export interface CourseWords {
   readonly pace: string;
 }
 
+export interface PageOthers {
+  readonly is: "PageOthers";
+  readonly parts: readonly (readonly (readonly (OtherCurve)[])[])[];
+}
+
+export interface OtherCurve {
+  readonly is: "OtherCurve";
+  readonly names: readonly (string)[];
+  readonly symbol: string;
+  readonly values: Numbers;
+  readonly across: Numbers | null;
+}
+
 export interface PageTrust {
   readonly is: "PageTrust";
   readonly to_mind: readonly (string)[];
@@ -509,6 +525,7 @@ export interface CursorColumn {
 export interface PagePiston {
   readonly is: "PagePiston";
   readonly name: string;
+  readonly number: string;
   readonly firing: string;
   readonly shaft: string;
   readonly throw: number;
@@ -541,6 +558,8 @@ export interface PageWords {
   readonly dark: string;
   readonly ghosts: string;
   readonly pistons: string;
+  readonly others: string;
+  readonly others_hint: string;
   readonly throws: string;
   readonly members: string;
 }

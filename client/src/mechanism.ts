@@ -4,7 +4,8 @@ import type { DrawnHandle, LinkDrawing, LoadDrawing, MachineDrawing, MechanismDr
 import { picture, svg } from "./elements.ts";
 import { at, between, extent, figures, number, row } from "./numbers.ts";
 import { barbs, polyline, xy, type Point } from "./points.ts";
-import { DrawnVectors, NARROW, SCALE_ROW, type Edges } from "./vectors.ts";
+import { Labels, type Edges, type Place } from "./labels.ts";
+import { DrawnVectors, NARROW, SCALE_ROW } from "./vectors.ts";
 
 /** Size of the picture, in its own units, along its longer side. */
 const LONG = 600;
@@ -32,8 +33,10 @@ const TURNING = [2.2, 2.9] as const;
 
 /** Length of the arrow of the largest load in parts of the picture's longer side. */
 const ARROW = 0.16;
-/** Width of a letter of what stands beside an arrow, about. [px] */
-const LETTER = 7;
+/** So far from its link's first pin what holds a force's point is drawn. */
+const APART = 6;
+/** How far over and under its arrow what is said of a load may stand, in turn. [px] */
+const ROWS: readonly number[] = [-4, 14, -18, 28, -32];
 
 const LESS = 1e-9;
 
@@ -66,6 +69,7 @@ export class Mechanism {
   private readonly drawing: MachineDrawing;
   private readonly moving: Moving[] = [];
   private readonly edges: Edges;
+  private readonly labels: Labels;
   private readonly ghosts = svg("g", { class: "ghost" });
   private readonly old = svg("g", { class: "ghost old" });
   private readonly layer = svg("g", {});
@@ -86,6 +90,8 @@ export class Mechanism {
     const { box, scale } = this.view;
     this.scale = scale;
     this.element = picture("mechanism", box, svg("title", {}, label));
+    this.edges = { left: box[0], right: box[0] + box[2], top: box[1], bottom: box[1] + box[3] };
+    this.labels = new Labels(this.edges, () => this.pixel);
     const layer = (): SVGGElement => this.element.appendChild(svg("g"));
     this.element.append(this.ghosts, this.old);
     const [still, paths, bodies, links, standing, pins, loads] = [layer(), layer(), layer(), layer(), layer(), layer(), layer()];
@@ -99,11 +105,12 @@ export class Mechanism {
       this.joints(one, pins);
     }
     for (const { of, link } of this.ownLinks().reverse()) this.link(of, link, links);
-    for (const load of drawing.loads) this.load(load, loads);
+    for (const load of drawing.loads) this.load(load, loads, paths);
     this.scaleBar(box, still);
-    this.edges = { left: box[0], right: box[0] + box[2], top: box[1], bottom: box[1] + box[3] };
     this.element.append(this.layer, this.marks, this.held);
     this.show(0);
+    // Words are as large as the window has them: in another size they stand elsewhere.
+    new ResizeObserver(() => { this.show(this.shown); }).observe(this.element);
   }
 
   private fitting(): View {
@@ -119,6 +126,7 @@ export class Mechanism {
   /** Show it at a crank angle. [deg] */
   show(angle: number): void {
     const place = ((angle % this.cycle) + this.cycle) % this.cycle;
+    this.labels.begin();
     for (const move of this.moving) move(place);
     this.vectors?.show(place);
     this.showRings(place);
@@ -200,9 +208,9 @@ export class Mechanism {
   /** Show vectors, and no others. */
   showVectors(sorts: readonly VectorsToScale[]): void {
     const pin = (one: PinVector, angle: number): Point => this.pinOf(one, angle);
-    this.vectors = new DrawnVectors(sorts, pin, this.cycle, this.edges);
+    this.vectors = new DrawnVectors(sorts, pin, this.cycle, this.edges, this.labels);
     this.layer.replaceChildren(...this.vectors.elements);
-    this.vectors.show(this.shown);
+    this.show(this.shown);
   }
 
   /** What a pixel of the window is in the picture. */
@@ -326,9 +334,9 @@ export class Mechanism {
       );
       if (degree % 90 === 0 && radius > 40) {
         const place = radius + 11;
-        into.append(
-          svg("text", { class: degree ? "degree" : "degree zero", x: centre.x + place * x, y: centre.y + place * y }, `${degree}`),
-        );
+        const [across, down] = [centre.x + place * x, centre.y + place * y];
+        this.labels.keepClear(`${degree}`, { x: across, y: down, anchor: "middle", isCentral: true });
+        into.append(svg("text", { class: degree ? "degree" : "degree zero", x: across, y: down }, `${degree}`));
       }
     }
     const [from, to] = TURNING.map((part) => zero + sense * part) as [number, number];
@@ -532,11 +540,13 @@ export class Mechanism {
   }
 
   /** A load: an arrow as long as it is part of the largest. */
-  private load(load: LoadDrawing, into: SVGGElement): void {
+  private load(load: LoadDrawing, into: SVGGElement, under: SVGGElement): void {
     const largest = number(load.largest);
     if (!(largest > 0)) return;
     const arrow = svg("path", { class: "load" });
+    const held = svg("path", { class: "held" });
     const label = svg("text", { class: "load" });
+    under.append(held);
     into.append(arrow, label);
     const long = ARROW * LONG;
     this.moving.push((angle) => {
@@ -545,6 +555,7 @@ export class Mechanism {
       const isThere = Number.isFinite(part) && Math.abs(part) > 0.004;
       arrow.toggleAttribute("hidden", !isThere);
       label.toggleAttribute("hidden", !isThere);
+      if (!load.is_torque) held.setAttribute("d", this.heldBy(load, angle));
       if (!isThere) return;
       label.textContent = `${load.name} ${figures((part * largest) / number(load.one), largest / number(load.one))} ${load.unit}`;
       const end = this.point(get(row(load.place, 0)), get(row(load.place, 1)));
@@ -558,20 +569,40 @@ export class Mechanism {
         const isFar = Math.abs(turn) > Math.PI ? 1 : 0;
         const onward = -Math.PI / 2 + turn + (Math.sign(turn) * Math.PI) / 2;
         arrow.setAttribute("d", `M${xy(start)}A${radius} ${radius} 0 ${isFar} ${turn > 0 ? 1 : 0} ${xy(stop)}${barbs(stop, onward)}`);
-        label.setAttribute("x", `${end.x + radius + 4}`);
-        label.setAttribute("y", `${end.y - radius}`);
+        this.putBeside(label, { x: end.x, y: end.y - radius }, radius + 4);
         return;
       }
       const way = { x: get(row(load.way, 0)), y: -get(row(load.way, 1)) };
       const start = { x: end.x - way.x * part * long, y: end.y - way.y * part * long };
       arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, Math.atan2(end.y - start.y, end.x - start.x))}`);
-      const { x, width } = this.element.viewBox.baseVal;
-      const far = x + width - start.x;
-      const isRight = LETTER * this.pixel * (label.textContent?.length ?? 0) > far && start.x - x > far;
-      label.setAttribute("text-anchor", isRight ? "end" : "start");
-      label.setAttribute("x", `${start.x + (isRight ? -5 : 5)}`);
-      label.setAttribute("y", `${start.y - 4}`);
+      this.putBeside(label, start, 5);
     });
+  }
+
+  /** What holds a force's point, away from the pins of its link: a line from its first pin, and of a rope the arc off which it comes, as a horsehead has it. */
+  private heldBy(load: LoadDrawing, angle: number): string {
+    const of = (numbers: Numbers): Point => this.point(between(row(numbers, 0), this.cycle, angle), between(row(numbers, 1), this.cycle, angle));
+    const [pin, end] = [of(load.pin), of(load.place)];
+    const radius = Math.hypot(end.x - pin.x, end.y - pin.y);
+    if (!(radius > APART)) return "";
+    if (!load.is_rope) return polyline([pin, end]);
+    const middle = Math.atan2(end.y - pin.y, end.x - pin.x);
+    const half = Math.min((1.5 * ARROW * LONG) / radius, Math.PI / 2);
+    const [from, to] = [middle - half, middle + half].map((one) => ({ x: pin.x + radius * Math.cos(one), y: pin.y + radius * Math.sin(one) })) as [Point, Point];
+    return `${polyline([pin, end])}M${xy(from)}A${radius} ${radius} 0 0 1 ${xy(to)}`;
+  }
+
+  /** Put what is said of a load to the right or the left of a point, so far away, where there is room. */
+  private putBeside(label: SVGTextElement, { x, y }: Point, far: number): void {
+    const { left, right } = this.edges;
+    const sides = [{ x: x + far, anchor: "start" }, { x: x - far, anchor: "end" }] as const;
+    const inTurn = x - left > right - x ? [sides[1], sides[0]] : sides;
+    const places = ROWS.flatMap((row) => inTurn.map((side): Place => ({ ...side, y: y + row * this.pixel, isCentral: false })));
+    const place = this.labels.put(label.textContent ?? "", places);
+    if (!place) return;
+    label.setAttribute("text-anchor", place.anchor);
+    label.setAttribute("x", place.x.toFixed(2));
+    label.setAttribute("y", place.y.toFixed(2));
   }
 
   /** A round length to scale. */
@@ -583,6 +614,7 @@ export class Mechanism {
     const [x, y] = [left + 10, top + height - 9];
     const end = x + length * this.scale;
     const words = length >= 1 ? `${+length.toPrecision(3)} m` : `${+(length * 1000).toPrecision(3)} mm`;
+    this.labels.keepClear(words, { x: end + 6, y: y + 4, anchor: "start", isCentral: false });
     into.append(
       svg("path", { class: "scale", d: `M${x} ${y - 4}V${y + 4}M${x} ${y}H${end}M${end} ${y - 4}V${y + 4}` }),
       svg("text", { class: "scale", x: end + 6, y: y + 4 }, words),

@@ -88,19 +88,27 @@ export function between(values: Float32Array, end: number, place: number): numbe
 /** Of points on whose polynomial values are read; and how many of them stand before. */
 const SIX = 6;
 const BEFORE = 2;
+/** By which part of a step points may stand otherwise that stand evenly: they come with seven figures. */
+const EVEN = 1e-3;
 
 /** The same on the polynomial of the six points about a place; straight where one of them is not there. */
 export function smooth(values: Float32Array, end: number, place: number): number {
   const steps = values.length - 1;
   const exact = Math.min(Math.max((place / end) * steps, 0), steps);
   const first = Math.min(Math.max(Math.floor(exact) - BEFORE, 0), steps + 1 - SIX);
+  const found = polynomial(values, first, SIX, exact);
+  return Number.isFinite(found) ? found : between(values, end, place);
+}
+
+/** Value at a place, counted in points, of the polynomial through so many of them from a first one on. */
+function polynomial(values: Float32Array, first: number, count: number, exact: number): number {
   let sum = 0;
-  for (let one = first; one < first + SIX; one++) {
+  for (let one = first; one < first + count; one++) {
     let weight = 1;
-    for (let other = first; other < first + SIX; other++) if (other !== one) weight *= (exact - other) / (one - other);
+    for (let other = first; other < first + count; other++) if (other !== one) weight *= (exact - other) / (one - other);
     sum += weight * (values[one] ?? NaN);
   }
-  return Number.isFinite(sum) ? sum : between(values, end, place);
+  return sum;
 }
 
 /** Value at a place between points that rise along `across`; NaN outside. */
@@ -117,6 +125,23 @@ export function interpolated(across: Float32Array, values: Float32Array, place: 
   const width = (across[high] ?? NaN) - start;
   const first = values[low] ?? NaN;
   return width === 0 ? first : first + ((place - start) / width) * ((values[high] ?? NaN) - first);
+}
+
+/** A polynomial is taken for a curve where two more points change it by less than this part of what it differs from a chord. */
+const SETTLED = 0.05;
+
+/** The same on a polynomial where points stand evenly and a curve is smooth, as the kernels' are: nothing is read over a jump or a kink. */
+export function read(across: Float32Array, values: Float32Array, place: number): number {
+  const chord = interpolated(across, values, place);
+  const end = across.length - 1;
+  const [start, width] = [across[0] ?? NaN, ((across[end] ?? NaN) - (across[0] ?? NaN)) / end];
+  const exact = (place - start) / width;
+  const first = Math.min(Math.max(Math.floor(exact) - BEFORE, 0), end + 1 - SIX);
+  if (!Number.isFinite(chord) || first < 0 || !Number.isInteger(first)) return chord;
+  for (const one of [first, first + SIX - 1]) if (Math.abs((across[one] ?? NaN) - start - one * width) > EVEN * width) return chord;
+  const six = polynomial(values, first, SIX, exact);
+  const four = polynomial(values, first + 1, SIX - 2, exact);
+  return Math.abs(six - four) <= SETTLED * Math.abs(four - chord) ? six : chord;
 }
 
 /** Round numbers from low to high, some five of them. */

@@ -4,7 +4,7 @@ import type { Address, Place } from "./address.ts";
 import type { Colours } from "./colours.ts";
 import { Controls, type Cursor } from "./controls.ts";
 import { Passing } from "./course.ts";
-import type { PageCourse, PageMembers, PagePiston, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
+import type { PageCourse, PageMembers, PageOthers, PagePiston, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
 import { html, write } from "./elements.ts";
 import { Handles, type Editing } from "./handles.ts";
 import { dragged, pressed } from "./hands.ts";
@@ -31,6 +31,8 @@ const PAUSE = 250;
 export interface Source {
   readonly tab: (name: string) => Promise<TabContent>;
   readonly trust: () => Promise<PageTrust>;
+  /** Give what curves of one piston on a tab are of the others. */
+  readonly others: (tab: string) => Promise<PageOthers>;
   readonly members: () => Promise<PageMembers>;
   /** Show the throw and the curves of a piston. */
   readonly pick: (piston: string) => void;
@@ -63,10 +65,15 @@ export class MachinePage {
   private readonly members = new Members();
   private readonly leftOut = html("p", { class: "note" });
   private readonly answers = html("div", { class: "answers" });
+  private readonly restsOn = html("p", { class: "rests-on" });
   private readonly sentence = html("p", { class: "sentence", "aria-live": "polite" });
   private readonly checked = html("div", {});
   private readonly toMind = html("div", {});
   private readonly differ = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
+  private readonly others = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
+  private readonly othersHint = html("p", { class: "note others-hint", hidden: "" });
+  /** Curves of other pistons that were asked for last, and beside which content. */
+  private otherCurves: { readonly beside: TabContent; readonly found: PageOthers } | null = null;
   private readonly sheets: Sheets;
   private readonly vectors = new VectorChoice((shown) => { this.mechanism.showVectors(this.passing ? [] : shown); }, (tab) => { this.load(tab); });
   private readonly panel: HTMLElement;
@@ -79,6 +86,7 @@ export class MachinePage {
   /** Time that the address asked for. [s] */
   private asked = NaN;
   private said = "";
+  private restsOnSaid = "";
   private page: ShownMachine;
   private own: readonly OwnTab[];
   private readonly ownPanel = html("div", { class: "sheets", role: "tabpanel", hidden: "" });
@@ -105,9 +113,13 @@ export class MachinePage {
       this.cursor.stop();
       this.cursor.stand(place);
     });
-    this.panel = html("div", { class: "sheets", role: "tabpanel" }, this.differ, this.sheets.element);
+    this.panel = html("div", { class: "sheets", role: "tabpanel" }, html("div", { class: "tools" }, this.othersHint, this.others, this.differ), this.sheets.element);
     this.differ.addEventListener("click", () => {
       this.differ.setAttribute("aria-pressed", `${!this.isOfDifferences}`);
+      this.choose(this.chosen);
+    });
+    this.others.addEventListener("click", () => {
+      this.others.setAttribute("aria-pressed", `${!this.isWithOthers}`);
       this.choose(this.chosen);
     });
     this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
@@ -119,7 +131,7 @@ export class MachinePage {
       right,
     );
     this.head = html("header", { class: "head" }, this.title, this.made);
-    into.replaceChildren(this.head, this.tabs, this.sentence, this.columns);
+    into.replaceChildren(this.head, this.tabs, this.sentence, this.restsOn, this.columns);
     dragged(this.stage, () => this.mechanism, () => this.cursor);
     this.ghosts.addEventListener("click", () => { this.haunt(true); });
     document.addEventListener("keydown", (event) => { pressed(event, this.cursor, { KeyG: () => { this.haunt(true); }, KeyE: () => { this.handles.toggle(); } }); });
@@ -168,6 +180,8 @@ export class MachinePage {
     this.turning.cycle = number(page.cycle);
     this.controls.take(this.cursor, words);
     write(this.differ, words.differences);
+    write(this.others, words.others);
+    write(this.othersHint, words.others_hint);
     write(this.ghostsWord, words.ghosts);
     this.haunt();
     this.fillPistons(page);
@@ -225,6 +239,7 @@ export class MachinePage {
     this.panel.hidden = own !== null;
     this.ownPanel.hidden = own === null;
     this.sentence.hidden = own !== null;
+    this.restsOn.hidden = own !== null;
     if (own) {
       if (this.ownPanel.firstChild !== own.element) this.ownPanel.replaceChildren(own.element);
       own.fit();
@@ -257,14 +272,40 @@ export class MachinePage {
     this.panel.classList.remove("computing");
     if (this.said !== content.sentence) this.sentence.replaceChildren(said(content.sentence));
     this.said = content.sentence;
+    if (this.restsOnSaid !== content.rests_on) this.restsOn.replaceChildren(said(content.rests_on));
+    this.restsOnSaid = content.rests_on;
     this.answers.replaceChildren(answer(content.answer, this.source?.whence), ...(content.beside ? [table(content.beside)] : []));
     this.differ.hidden = !hasDifferences(content);
     this.sheets.take(content, this.page.words.numbers, this.isOfDifferences);
+    this.showOthers(content);
     this.follow(content.course);
     this.vectors.take(this.contents, this.chosen?.name ?? "");
     this.vectors.element.hidden = content.course !== null;
     this.members.element.hidden = content.course !== null;
     this.stand();
+  }
+
+  /** Show the curves of the pistons that are not chosen, as soon as they are there, or none; until then those before stay. */
+  private showOthers(content: TabContent): void {
+    const { source, page: { words } } = this;
+    const isThere = content.has_others && !this.isOfDifferences;
+    const isOn = isThere && this.isWithOthers;
+    this.others.hidden = !isThere;
+    this.othersHint.hidden = !isOn;
+    const found = content.others ?? (this.otherCurves?.beside === content ? this.otherCurves.found : null);
+    if (!isOn || found) {
+      this.sheets.takeOthers(isOn ? found : null, words.others);
+      return;
+    }
+    const { name } = this.chosen ?? { name: "" };
+    const isWanted = (): boolean => this.source === source && this.contents.get(name) === content;
+    setTimeout(() => {
+      if (isWanted()) void source?.others(name).then((others) => {
+        if (!isWanted()) return;
+        this.otherCurves = { beside: content, found: others };
+        if (this.chosen?.name === name) this.showOthers(content);
+      });
+    }, this.sheets.hasOthers ? PAUSE : 0);
   }
 
   /** Have the crank turn over the time of a tab, or over its cycle: it stays where it stands, and turning goes on. */
@@ -336,6 +377,11 @@ export class MachinePage {
   private fit(): void {
     this.sheets.fit();
     for (const one of this.own) one.fit();
+  }
+
+  /** Whether curves of one piston are to be shown with those of the others. */
+  private get isWithOthers(): boolean {
+    return this.others.getAttribute("aria-pressed") === "true";
   }
 
   /** Whether curves are to be shown as differences from a saved case. */

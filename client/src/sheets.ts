@@ -1,7 +1,7 @@
 // Sheets of a tab: their parts, which take other values where they stand.
 
 import { lineSample, ShownCurves, type Shown } from "./curves.ts";
-import type { PageSheet, Ruler, TabContent } from "./data.ts";
+import type { OtherCurve, PageOthers, PageSheet, Ruler, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { constructed } from "./construction.ts";
 import { events, strip } from "./events.ts";
@@ -48,6 +48,16 @@ export class Sheets {
     this.fit();
   }
 
+  /** Show the same curves of other pistons behind those of the chosen one, with the word for them; none of null. */
+  takeOthers(others: PageOthers | null, word: string): void {
+    this.parts.filter((one) => one.hasCurves).forEach((one, place) => { one.takeOthers(others?.parts[place] ?? [], word); });
+  }
+
+  /** Whether curves of other pistons are shown. */
+  get hasOthers(): boolean {
+    return this.parts.some((one) => one.hasOthers);
+  }
+
   /** Stand at a crank angle [deg], or at a time. */
   show(place: number): void {
     for (const one of this.parts) one.show(place);
@@ -92,6 +102,7 @@ class ShownPart {
   private part: Part;
   private shown: Shown;
   private place = 0;
+  hasOthers = false;
 
   constructor(part: Part, numbers: string, turned: Turned, unit: string) {
     this.part = part;
@@ -109,11 +120,22 @@ class ShownPart {
     if (same(this.part, part)) return;
     this.part = part;
     if (this.shown instanceof ShownCurves && part.is === "PageCurves" && this.shown.take(part)) return;
+    this.hasOthers = false;
     const before = this.shown.element;
     this.shown = drawn(part, this.numbers, this.turned, this.unit);
     before.replaceWith(this.shown.element);
     this.shown.fit();
     this.shown.show(this.place);
+  }
+
+  get hasCurves(): boolean {
+    return this.shown instanceof ShownCurves;
+  }
+
+  takeOthers(panels: readonly (readonly OtherCurve[])[], word: string): void {
+    if (!(this.shown instanceof ShownCurves)) return;
+    this.shown.takeOthers(panels, word);
+    this.hasOthers = panels.some((one) => one.length > 0);
   }
 
   show(place: number): void {

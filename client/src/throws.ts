@@ -26,6 +26,21 @@ export class Throws {
   constructor(pick: (piston: string) => void) {
     this.pick = pick;
     this.list.addEventListener("change", (event) => { if (event.target instanceof HTMLInputElement) this.pick(event.target.value); });
+    this.list.addEventListener("keydown", (event) => {
+      if (event.key !== "Home" && event.key !== "End") return;
+      event.preventDefault();
+      this.go(event.key === "Home" ? 0 : -1);
+    });
+  }
+
+  /** Choose a piston by its place in the list, as arrow keys do. */
+  private go(place: number): void {
+    const input = [...this.list.querySelectorAll("input")].at(place);
+    if (!input) return;
+    input.focus();
+    if (input.checked) return;
+    input.checked = true;
+    this.pick(input.value);
   }
 
   /** Offer pistons, of which one is shown; what is offered already stays. */
@@ -91,8 +106,9 @@ const keyOf = (shaft: string, throw_: number): string => `${encodeURIComponent(s
 
 const names = (ray: SVGElement): string[] => (ray.getAttribute("data-throws") ?? "").split(" ");
 
-/** A piston, and when it fires. */
+/** A piston, before it the maker's number, and when it fires. */
 function choice(piston: PagePiston): HTMLElement {
   const input = html("input", { type: "radio", name: "piston", value: piston.name });
-  return html("label", {}, input, html("b", {}, piston.name), ...(piston.firing ? [" ", html("span", {}, piston.firing)] : []));
+  const called = piston.number && piston.number !== piston.name ? `${piston.number} · ${piston.name}` : piston.name;
+  return html("label", {}, input, html("b", {}, called), ...(piston.firing ? [" ", html("span", {}, piston.firing)] : []));
 }

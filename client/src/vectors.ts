@@ -3,6 +3,7 @@
 import type { PinVector, VectorsToScale, TabContent } from "./data.ts";
 import { html, svg } from "./elements.ts";
 import { inkOf } from "./ink.ts";
+import type { Edges, Labels, Place } from "./labels.ts";
 import { between, row, same, ticks } from "./numbers.ts";
 import { barbs, xy, type Point } from "./points.ts";
 import { formula, spans } from "./words.ts";
@@ -21,35 +22,36 @@ const SHORTEST = 0.4;
 export const NARROW = 420;
 export const SCALE_ROW = 18;
 
+/** From the end of an arrow to the middle of its name; and where else it may stand: so far [px], turned by how much from the arrow's direction. */
+const BEYOND = 10;
+const FARTHER: readonly number[] = [12, 24, 38];
+const ASIDE: readonly number[] = [0, 0.8, -0.8, 1.6, -1.6, 2.4, -2.4];
+
 /** Where the pin of a vector is at a crank angle. */
 type PinOf = (one: PinVector, angle: number) => Point;
-
-/** Edges of a picture. */
-export interface Edges {
-  readonly left: number;
-  readonly right: number;
-  readonly top: number;
-  readonly bottom: number;
-}
 
 /** Vectors that are drawn to scale, and what a picture has of them. */
 export class DrawnVectors {
   readonly elements: readonly SVGElement[];
   private readonly moving: readonly ((angle: number) => void)[];
 
-  constructor(shown: readonly VectorsToScale[], pin: PinOf, cycle: number, edges: Edges) {
+  constructor(shown: readonly VectorsToScale[], pin: PinOf, cycle: number, edges: Edges, labels: Labels) {
     const groups = new Map<string, VectorsToScale[]>();
     for (const one of shown) {
       const key = `${one.unit} ${one.largest}`;
       groups.set(key, [...(groups.get(key) ?? []), one]);
     }
     const elements: SVGElement[] = [];
+    const scales: (readonly [string, Place])[] = [];
     this.moving = [...groups.values()].flatMap((sorts, place) => {
       const all = sorts.flatMap((one) => one.vectors);
       const perUnit = scaleOf(all, sorts[0]?.largest ?? NaN, pin, cycle, edges);
-      elements.push(...scaleArrow(sorts[0] as VectorsToScale, perUnit, edges, place));
-      return all.map((one) => vector(one, perUnit, cycle, pin, elements));
+      const [words, at, ...arrow] = scaleArrow(sorts[0] as VectorsToScale, perUnit, edges, place);
+      elements.push(...arrow);
+      scales.push([words, at]);
+      return all.map((one) => vector(one, perUnit, cycle, pin, elements, labels));
     });
+    labels.keepClearOf(scales);
     this.elements = elements;
   }
 
@@ -77,7 +79,7 @@ function scaleOf(all: readonly PinVector[], largest: number, pin: PinOf, cycle: 
 }
 
 /** Draw a vector; give what moves it. */
-function vector(one: PinVector, perUnit: number, cycle: number, pin: PinOf, into: SVGElement[]): (angle: number) => void {
+function vector(one: PinVector, perUnit: number, cycle: number, pin: PinOf, into: SVGElement[], labels: Labels): (angle: number) => void {
   const arrow = svg("path", {});
   const label = svg("text", {}, ...spans(formula(one.symbol)));
   const group = svg("g", { class: `vector ink-${inkOf(one.letter)}` }, svg("title", {}, `${one.mechanism} ${one.pin}`), arrow, label);
@@ -93,21 +95,29 @@ function vector(one: PinVector, perUnit: number, cycle: number, pin: PinOf, into
     const end = { x: start.x + by.x, y: start.y + by.y };
     arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, Math.atan2(by.y, by.x))}`);
     label.toggleAttribute("hidden", length < LEAST_NAMED);
-    label.setAttribute("x", (end.x + (10 * by.x) / length).toFixed(2));
-    label.setAttribute("y", (end.y + (10 * by.y) / length).toFixed(2));
+    if (length < LEAST_NAMED) return;
+    const direction = Math.atan2(by.y, by.x);
+    const at = (far: number, turn: number): Place => ({ x: end.x + far * Math.cos(direction + turn), y: end.y + far * Math.sin(direction + turn), anchor: "middle", isCentral: true });
+    const others = FARTHER.flatMap((far) => ASIDE.map((turn) => at(far * labels.pixel(), turn)));
+    const place = labels.put(label.textContent ?? "", [at(BEYOND, 0), ...others]);
+    label.setAttribute("x", (place?.x ?? end.x).toFixed(2));
+    label.setAttribute("y", (place?.y ?? end.y).toFixed(2));
   };
 }
 
 /** An arrow of a round size, in the lower right corner, where there is room beside the scale of lengths. */
-function scaleArrow(of: VectorsToScale, perUnit: number, edges: Edges, place: number): SVGElement[] {
+function scaleArrow(of: VectorsToScale, perUnit: number, edges: Edges, place: number): readonly [string, Place, ...SVGElement[]] {
   const largest = of.largest ?? NaN;
   const size = ticks(0, largest, 3)[1] ?? largest;
   const row = place + (edges.right - edges.left < NARROW ? 1 : 0);
   const [end, y] = [edges.right - 10, edges.bottom - 9 - SCALE_ROW * row];
   const start = end - size * perUnit;
+  const words = `${size} ${of.unit}`;
   return [
+    words,
+    { x: start - 6, y: y + 4, anchor: "end", isCentral: false },
     svg("path", { class: `vector ink-${inkOf(of.vectors[0]?.letter ?? "")}`, d: `M${start} ${y}H${end}${barbs({ x: end, y }, 0)}` }),
-    svg("text", { class: "scale beside", x: start - 6, y: y + 4 }, `${size} ${of.unit}`),
+    svg("text", { class: "scale beside", x: start - 6, y: y + 4 }, words),
   ];
 }
 

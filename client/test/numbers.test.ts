@@ -1,8 +1,33 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
-import { between, extent, figure, figures, interpolated, ofBytes, revived, row, smooth, ticks } from "../src/numbers.ts";
+import { between, extent, figure, figures, interpolated, ofBytes, read, revived, row, smooth, ticks } from "../src/numbers.ts";
 import type { Numbers } from "../src/data.ts";
+
+describe("a curve that is read", () => {
+  const across = Float32Array.from({ length: 361 }, (_one, place) => place);
+  const wave = across.map((angle) => 100 * Math.sin((4 * angle * Math.PI) / 180));
+  it("is as it would be computed between its points, at its ends too", () => {
+    for (const place of [0.5, 22.5, 90.3, 359.5]) {
+      const exact = 100 * Math.sin((4 * place * Math.PI) / 180);
+      assert.ok(Math.abs(read(across, wave, place) - exact) < 2e-4, `${place}`);
+    }
+    assert.ok(Math.abs(read(across, wave, 22.5) - interpolated(across, wave, 22.5)) > 0.05);
+    assert.equal(read(across, wave, 90), wave[90]);
+  });
+  it("is a chord over a jump and beside a kink", () => {
+    const jump = across.map((angle) => (angle < 100 ? 1 : 5));
+    assert.equal(read(across, jump, 99.5), 3);
+    for (const place of [97.5, 98.5, 100.5, 101.5]) assert.equal(read(across, jump, place), interpolated(across, jump, place));
+    const kink = across.map((angle) => Math.max(angle - 100, 0));
+    for (const place of [98.5, 99.5, 100.5]) assert.equal(read(across, kink, place), interpolated(across, kink, place));
+  });
+  it("is a chord where points stand unevenly, or are few, and nothing outside", () => {
+    assert.equal(read(Float32Array.of(0, 1, 4, 9, 16, 25, 36), Float32Array.of(0, 1, 2, 3, 4, 5, 6), 2.5), 1.5);
+    assert.equal(read(Float32Array.of(0, 1), Float32Array.of(2, 4), 0.5), 3);
+    assert.ok(Number.isNaN(read(across, wave, 400)));
+  });
+});
 
 describe("arrays", () => {
   const block = Float32Array.from([9, 0, 1, 2, 3, 4, 5]);

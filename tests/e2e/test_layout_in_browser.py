@@ -1,5 +1,8 @@
 """How a page is laid out, measured in a browser: letters are large enough and stand clear, controls are in reach."""
 
+import re
+
+import numpy as np
 import pytest
 from tests.browser import Watched
 from tests.serving import served
@@ -109,3 +112,42 @@ def test_on_a_desk_all_of_a_tab_is_seen_at_once(opened):
     for part in ("h1", "svg.mechanism", ".answer tr:last-child", ".panel:last-child .plot"):
         box = page.locator(part).last.bounding_box()
         assert box["y"] + box["height"] <= 900, part
+
+
+COVERED = """() => {
+    const own = document.querySelector("svg.mechanism").getBoundingClientRect();
+    const texts = [...document.querySelectorAll("svg.mechanism text")]
+        .filter((one) => one.textContent && one.checkVisibility() && !one.closest("[hidden]"))
+        .map((one) => [one.textContent, one.getBoundingClientRect()]);
+    const overlap = (one, other) => Math.min(one.right, other.right) - Math.max(one.left, other.left) > 1
+        && Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top) > 3;
+    const off = texts.filter(([, box]) => box.left < own.left - 1 || box.right > own.right + 1).map(([text]) => text);
+    return [...off, ...texts.flatMap(([text, box], place) => texts.slice(place + 1)
+        .filter(([, other]) => overlap(box, other)).map(([other]) => `${text} / ${other}`))];
+}"""
+
+
+@pytest.mark.parametrize(
+    ("name", "angle"), [("eccentric_press", 350), ("10d100", 100), ("toggle_press", 0), ("deltic", 40), ("3d12", 40)]
+)
+def test_what_goes_along_with_the_drawing_stands_clear_of_all_words_on_it(opened, name, angle):
+    page = opened(name, f"#phi={angle}&tab=Motion")
+    page.evaluate(SETTLED)
+    assert page.evaluate(COVERED) == []
+
+
+def test_a_horsehead_is_as_far_from_its_pivot_as_the_file_says(opened):
+    """64 in: its line to the scale of the bar beside, at any crank angle."""
+    page = opened("pumping_unit_c57", "#phi=40")
+    for _step in range(3):
+        page.keyboard.press("Shift+ArrowRight")
+        bar, beam = (
+            page.evaluate(f"document.querySelector('svg.mechanism {path}').getAttribute('d')")
+            for path in ("path.scale", "path.held")
+        )
+        start, end = re.search(r"M([-\d.]+) [-\d.]+H([-\d.]+)", bar).groups()
+        x0, y0, x1, y1 = map(float, re.match(r"M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)M", beam).groups())
+        words = page.locator("svg.mechanism text.scale").first.text_content()
+        assert words == "500 mm"
+        length = 500.0 * np.hypot(x1 - x0, y1 - y0) / (float(end) - float(start))
+        assert length == pytest.approx(64 * 25.4, rel=1e-3)

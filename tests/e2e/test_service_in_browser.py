@@ -114,6 +114,28 @@ def test_a_number_says_where_it_is_from_and_leads_to_the_numbers_behind_it(opene
     assert not dialog.is_visible()
 
 
+def test_home_and_end_choose_the_first_and_the_last_piston_of_a_list_that_scrolls(opened):
+    page = opened("#machine=deltic&phi=30")
+    chosen = page.locator(".pistons input:checked")
+    chosen.focus()
+    before = page.locator(".angle").inner_text()
+    page.keyboard.press("End")
+    last = page.locator(".pistons input").last.input_value()
+    page.wait_for_url(re.compile(f"piston={re.escape(last)}"))
+    assert page.evaluate("document.activeElement.value") == last
+    page.keyboard.press("Home")
+    page.wait_for_url(re.compile("piston=1A.exhaust"))
+    assert page.locator(".angle").inner_text() == before
+
+
+def test_tables_of_parts_are_told_apart_by_their_place_and_name(opened):
+    page = opened("#machine=toggle_press&phi=30")
+    legends = page.locator(".numbers legend").all_inner_texts()
+    assert "[mechanism.part[0].rod] pitman" in legends
+    assert "[mechanism.part[1].rod] lower" in legends
+    assert len(set(legends)) == len(legends)
+
+
 def test_another_piston_has_its_throw_and_its_curves(opened):
     page = opened("#machine=3d12&phi=30&tab=Largest+forces")
     page.locator("h3", has_text="Forces at piston 1L").wait_for()

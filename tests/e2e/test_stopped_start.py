@@ -9,3 +9,12 @@ def test_ctrl_c_shows_what_was_computed():
     status, said = stopped(ASKED, times=6)
     assert status == 0
     assert b"it was stopped" in said
+
+
+def test_a_page_of_it_says_how_far_it_is_and_ctrl_c_leaves_none(tmp_path):
+    page = tmp_path / "page.html"
+    asked = ("view", *ASKED[1:], "-o", str(page))
+    status, said = stopped(asked, times=6)
+    assert status == 130
+    assert b" turns, " in said
+    assert not page.exists()

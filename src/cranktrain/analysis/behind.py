@@ -2,14 +2,14 @@
 
 import inspect
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.pipeline import PartBehind, Pipeline, Place, StageBehind
-from cranktrain.analysis.stages import every_stage, lacking, leading_to, ordered, stages_giving
+from cranktrain.analysis.stages import every_stage, lacking, leading_to, ordered, stages_for, stages_giving
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import Listed, Words, _
@@ -79,6 +79,25 @@ def pipeline(
         ),
         tuple(_behind(one, [need for need in one.needs.values() if is_known[need]], declared) for one in way),
     )
+
+
+def tables_behind(machine: Machine, there: Iterable[type], quantities: Iterable[str]) -> frozenset[str]:
+    """Name the tables of a machine's file that are read on the way to quantities, as `behind` does, and nothing else.
+
+    Parameters
+    ----------
+    machine : Machine
+    there : iterable of type
+        All outcomes that there are of it.
+    quantities : iterable of str
+        Names in the catalogue.
+    """
+    known = frozenset(there)
+    stages = [one for one in stages_for(machine) if one.gives in known]
+    way = leading_to(stages, [one.gives for one in stages_giving(stages, quantities, "behind")])
+    parts = dict.fromkeys(need for need in _needs(way) if need not in known)
+    found = (_tables(tables_of(part), machine.declared) for part in parts)
+    return frozenset(table.strip("[]") for tables in found for table in tables)
 
 
 def _needs(way: Sequence[Stage]) -> Iterator[type]:

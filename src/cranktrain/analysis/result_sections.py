@@ -14,7 +14,7 @@ from cranktrain.saying.amounts import LoneFigure, in_cycle
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.run import Axis, Run
 from cranktrain.saying.sections import Answer, FactTables, Failure, PagePart, Part, Rows, ShownSection, section
-from cranktrain.saying.wording import ABSENT, InPrint, all_of
+from cranktrain.saying.wording import ABSENT, InPrint, all_of, once_each
 
 _NAMED = 4
 """How many of the results that something would give are named."""
@@ -146,4 +146,4 @@ def _missing(missing: Missing) -> Words:
     results = ", ".join(missing.results[:_NAMED])
     more = len(missing.results) - _NAMED
     named = _("{results} and {n} more", results=results, n=more) if more > 0 else results
-    return _("{needs}: gives {results}", needs=all_of(missing.needs), results=named)
+    return _("{needs}: gives {results}", needs=all_of(once_each(missing.needs)), results=named)

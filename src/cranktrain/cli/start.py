@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial as with_arguments
 
 import numpy as np
 
@@ -13,7 +12,6 @@ from cranktrain.cli.run_files import form_or_picture, write_run
 from cranktrain.cli.screen.sections import show_page
 from cranktrain.cli.why import refuse_beside, show_why
 from cranktrain.errors import Position, Problem, problems_as, refuse
-from cranktrain.how_far import say_how_far
 from cranktrain.io.machine_file import read_machine
 from cranktrain.io.title import title
 from cranktrain.language import said as _
@@ -22,8 +20,7 @@ from cranktrain.one_line import one_line
 from cranktrain.record import record
 from cranktrain.saying.catalogue import Entry
 from cranktrain.saying.sections import Column, Grid, PagePart, ShownSection, Unfolded
-from cranktrain.saying.wording import number
-from cranktrain.study.start import Start, start
+from cranktrain.study.start import Start, say_run_so_far, start
 
 _SHOWN_EVENTS = 12
 
@@ -56,7 +53,7 @@ def show_start(request: StartRequest) -> None:
     times = None if request.at is None else _times(request.at)
     with in_units_of(file, asked):
         with problems_as(_at_option), problems_as(file.document.located), says_how_far():
-            found = start(file.machine, at=times, progress=_progress)
+            found = start(file.machine, at=times, progress=say_run_so_far)
         if request.output is not None and form is not None:
             write_run(found, form, request.output, file.document.data, force=request.force)
             return
@@ -147,13 +144,3 @@ def _shown(found: Start, *, is_full: bool) -> Iterator[PagePart]:
             yield ShownSection(part.heading, (*part.parts[: _SHOWN_EVENTS - 1], more))
         else:
             yield part
-
-
-def _progress(now: float, angle: float, speed: float) -> None:
-    """Say how far a run has come, which Ctrl-C then ends."""
-    say_how_far(with_arguments(_how_far, now, angle, speed))
-
-
-def _how_far(now: float, angle: float, speed: float) -> str:
-    words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
-    return words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm"))

@@ -1,6 +1,6 @@
 """What a machine's results rest on, as sections: the numbers of its file, and where they are from."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
@@ -32,12 +32,17 @@ def provenance_section(file: MachineFile) -> Iterator[ShownSection]:
 
 def inputs_behind(file: MachineFile, found: BehindQuantity) -> Iterator[Input]:
     """Numbers of the file in the tables that are read on the way."""
-    for one in inputs_of(file):
+    yield from inputs_in(inputs_of(file), found.tables)
+
+
+def inputs_in(inputs: Iterable[Input], tables: Set[str]) -> Iterator[Input]:
+    """Of numbers of a file those that stand in some tables, or in what these have."""
+    for one in inputs:
         path = one.path.partition("[")[0].split(".")
         above = [".".join(path[:length]) for length in range(1, len(path) + 1)]
         # Of a bank or a shaft its own keys; of what else has a name all that stands in it.
         own = above if path[0] not in ("bank", "shaft") else [above[-2], *above[_OF_A_BANK:]]
-        if not found.tables.isdisjoint(own):
+        if not tables.isdisjoint(own):
             yield one
 
 

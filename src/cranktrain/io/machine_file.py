@@ -236,6 +236,11 @@ def inputs_of(file: MachineFile) -> tuple[Input, ...]:
     return tuple(Input(path_text(parts), given) for parts, given in _inputs(file.document.data, file.machine))
 
 
+def inputs_of_machine(machine: Machine) -> tuple[Input, ...]:
+    """Give every quantity that a machine declares; as `inputs_of`, where there is no text of a file."""
+    return tuple(Input(path_text(parts), given) for parts, given in _inputs(machine.declared, machine))
+
+
 def _example_meant(name: str) -> str | None:
     """Find the example that a name means, unless there is a file of that name."""
     is_file = os.path.isfile(name)  # noqa: PTH113 - unlike Path, takes a name with a NUL byte
@@ -302,14 +307,14 @@ def _inputs(data: object, declared: object) -> Iterator[tuple[PathParts, Given]]
     several = _items(declared)
     if isinstance(declared, Given):
         yield (), declared
-    elif several and isinstance(several[0], Given) and not isinstance(data, list):
+    elif several and isinstance(several[0], Given) and not isinstance(data, list | tuple):
         yield (), several[0]  # one value where a list may stand
     elif isinstance(data, Mapping):
         for key, inner in cast("Mapping[str, object]", data).items():
             for path, given in _inputs(inner, _declared_at(declared, key, inner)):
                 yield (key, *path), given
-    elif isinstance(data, list) and several:
-        for place, (inner, made) in enumerate(zip(cast("list[object]", data), several, strict=True)):
+    elif isinstance(data, list | tuple) and several:
+        for place, (inner, made) in enumerate(zip(cast("Sequence[object]", data), several, strict=True)):
             for path, given in _inputs(inner, made):
                 yield (place, *path), given
 
@@ -318,7 +323,7 @@ def _declared_at(declared: object, key: str, data: object) -> object:
     """What the specs made of a key: of a bank's mechanism, whose fields may be lists, one spec for each angle."""
     each = _items(declared)
     if each:
-        many = isinstance(data, list) and key not in LISTS
+        many = isinstance(data, list | tuple) and key not in LISTS
         return tuple(getattr(one, key) for one in each) if many else getattr(each[0], key)
     if isinstance(declared, Mapping):
         return cast("Mapping[str, object]", declared)[key]

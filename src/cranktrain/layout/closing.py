@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from cranktrain.columns import numbers_of
 from cranktrain.errors import UNREAD, Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import Said, Words, _
@@ -12,11 +13,13 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.quantities import Given
+from cranktrain.quantities import Dimension, Given, own_units
 from cranktrain.saying.wording import all_of, around_turn, number
 
 _SEEN = 5e-6
 """A length that is less is written as nothing. [m]"""
+_TOLD = 2.54e-5
+"""Of which so much is said that it is less: a thousandth of an inch. [m]"""
 
 
 def open_places(design: Design) -> Mapping[int, tuple[OpenRange, ...]]:
@@ -90,6 +93,8 @@ def _closing_problem(
 ) -> Problem:
     """Say where a mechanism or a part of it cannot close, by how much, what would help, and where the whole closes."""
     short = max(one.short for one in own)
+    unit = own_units(one.text for _path, one in numbers_of(place.spec)).get(Dimension.LENGTH, "mm")
+    lack = number(short, unit) if short >= _TOLD else _("less than {length}", length=number(_TOLD, unit))
     if own[0].end - own[0].start >= TURN:
         allowed = _("the links can close at no crank angle (short by {short}); {advice}")
     elif short < _SEEN:
@@ -108,7 +113,7 @@ def _closing_problem(
         given.text if given else None,
         allowed.format(
             angles=all_of([_span(one.start - place.phase - zero, one.end - place.phase - zero) for one in own]),
-            short=number(short, "mm"),
+            short=lack,
             advice=advice,
         ),
         repair,

@@ -225,11 +225,15 @@ def map_as_shown(shown: Map) -> Map:
     return replace(shown, unit=scale.label, values=scale.of(shown.values))
 
 
+def scales_of(panel: Panel) -> tuple[Scale, Scale]:
+    """In which units a panel is shown, along and up."""
+    furthest = max(peak(panel.across_of(curve)) for curve in panel.curves)
+    return scale_for(panel.across_unit, furthest), scale_of(panel.unit, panel.size)
+
+
 def as_shown(panel: Panel) -> Panel:
     """Give a panel with all in the units in which they are shown, and the labels of these."""
-    up = scale_of(panel.unit, panel.size)
-    furthest = max(peak(panel.across_of(curve)) for curve in panel.curves)
-    along = scale_for(panel.across_unit, furthest)
+    along, up = scales_of(panel)
 
     def both(ends: tuple[float, float] | None, scale: Scale) -> tuple[float, float] | None:
         return None if ends is None else (float(scale.of(ends[0])), float(scale.of(ends[1])))
@@ -240,11 +244,7 @@ def as_shown(panel: Panel) -> Panel:
         across_unit=along.label,
         across=along.of(panel.across),
         curves=tuple(
-            replace(
-                curve,
-                values=up.of(curve.values),
-                across=None if curve.across is None else along.of(curve.across),
-            )
+            replace(curve, values=up.of(curve.values), across=None if curve.across is None else along.of(curve.across))
             for curve in panel.curves
         ),
         marks=tuple(

@@ -7,6 +7,7 @@ from cranktrain.errors import InputError, Problem
 from cranktrain.language import Listed, _
 from cranktrain.questions.evenness.flywheel import FlywheelSize
 from cranktrain.questions.evenness.shaft_work import ShaftWork
+from cranktrain.saying.wording import once_each
 from cranktrain.texts.flywheel_diagrams import Mertsalov, Wittenbauer, mertsalov, wittenbauer
 
 
@@ -51,8 +52,8 @@ def _sized(result: Result) -> tuple[ShaftWork, FlywheelSize]:
     """Find work and flywheel in a result."""
     size = result.get(FlywheelSize)
     if size is None:
-        needs = Listed(result.needs_of("flywheel_inertia"))
-        allowed = _("is missing for a diagram of the flywheel: {needs}", needs=needs)
+        needs = Listed(once_each(result.needs_of("flywheel_inertia")))
+        allowed = _("a diagram of the flywheel needs {needs}", needs=needs)
         raise InputError([Problem("evenness", None, allowed)])
     if not np.all(np.isfinite(size.exact.inertia)):
         allowed = _("gives no flywheel to draw: the torque is not known all round")

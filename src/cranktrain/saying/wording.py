@@ -294,6 +294,18 @@ def all_of(names: Sequence[Words]) -> Words:
     return _in_turn(N_("{first} and {last}"), names)
 
 
+def once_each(needs: Sequence[Words]) -> list[Words]:
+    """Leave out of what a file lacks the tables of which a key is named, too.
+
+    Examples
+    --------
+    >>> once_each(["[evenness]", "[evenness] coefficient", "[masses]"])
+    ['[evenness] coefficient', '[masses]']
+    """
+    said = list(map(str, needs))
+    return [need for need, own in zip(needs, said, strict=True) if not any(one.startswith(f"{own} ") for one in said)]
+
+
 def either_of(names: Sequence[Words]) -> Words:
     """Give names of which one is meant: `a or b or c`; nothing of none."""
     return _in_turn(N_("{first} or {last}"), names)

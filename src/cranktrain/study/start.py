@@ -12,6 +12,7 @@ from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import designs_of, parts_of, parts_together, refuse_wrong
 from cranktrain.analysis.stages import lacking, leading_to, stages_over_time
 from cranktrain.errors import InputError, Problem
+from cranktrain.how_far import say_how_far
 from cranktrain.language import Listed, Words, _
 from cranktrain.layout.drive.declared import DeclaredDrive
 from cranktrain.layout.question import Stage
@@ -30,8 +31,9 @@ from cranktrain.saying.rows import AnswerLine, Telling
 from cranktrain.saying.run import Axis, BehindQuantity, Run
 from cranktrain.saying.sections import Answer, PagePart, Unfolded, section
 from cranktrain.saying.wording import number
+from cranktrain.transient.endings import STOPPED
 from cranktrain.transient.gearing import overall_ratio
-from cranktrain.transient.runs import Progress
+from cranktrain.transient.runs import REASONS, Progress
 
 
 @record
@@ -203,6 +205,20 @@ def start(machine: Machine, *, at: Sequence[float] | None = None, progress: Prog
     given = {kind: found[kind] for kind in results if kind in found}
     ratio = overall_ratio(found[DeclaredDrive].gearings[0])
     return Start(machine, found[StartRun], given, found[MovingParts].motor, ratio)
+
+
+def whole_start(machine: Machine) -> Start:
+    """Run a machine with its motor over time, and say how far it is: whoever interrupts that wants no part of it."""
+    found = start(machine, progress=say_run_so_far)
+    if found.run.reason == _(REASONS[STOPPED]):
+        raise KeyboardInterrupt
+    return found
+
+
+def say_run_so_far(now: float, angle: float, speed: float) -> None:
+    """Say how far a run has come, which Ctrl-C then ends. [s, rad, rad/s]"""
+    words = _("{time:.3f} s, {turns:.2f} turns, {speed}   (Ctrl-C ends it)")
+    say_how_far(lambda: words.format(time=now, turns=angle / (2 * np.pi), speed=number(speed, "rpm")))
 
 
 def over_time(machine: Machine, outcomes: Sequence[type], asked: StartAsked | None = None) -> Mapping[type, Any]:

@@ -2,9 +2,9 @@
 
 from typing import Literal, NamedTuple, TypeAlias
 
-Part: TypeAlias = Literal["page", "tab", "trust", "members", "handles", "file", "export", "whence", "gallery"]
-"""A machine with one tab open, a tab, what is to be minded, pins and links and handles of its drawing, the text of its
-file, a file to take away, where a number is from; machines to begin with."""
+Part: TypeAlias = Literal["page", "tab", "others", "trust", "members", "handles", "file", "export", "whence", "gallery"]
+"""A machine with one tab open, a tab, the other pistons' curves on it, what is to be minded, pins and links and handles
+of its drawing, the text of its file, a file to take away, where a number is from; machines to begin with."""
 
 MOST_KEPT = 4
 """Machines of which what was computed is kept for what the same page asks next."""

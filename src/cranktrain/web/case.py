@@ -6,6 +6,7 @@ from pathlib import Path
 
 from cranktrain.analysis import Result
 from cranktrain.errors import InputError, Problem
+from cranktrain.grouping import grouped
 from cranktrain.io.added_tables import with_part
 from cranktrain.io.machine_file import Input, MachineFile, computed, inputs_of
 from cranktrain.io.machine_source import MachineSource, source_called, source_of_text
@@ -15,13 +16,14 @@ from cranktrain.mechanisms.by_hand import Clicked
 from cranktrain.one_line import one_line
 from cranktrain.panels.additions import DrawnAddition, added_table, drawn_additions
 from cranktrain.panels.handles import DrawnHandle, drawn_handles
-from cranktrain.paths import parts_of
+from cranktrain.paths import PathParts, item_at, parts_of, path_text
 from cranktrain.record import record
 from cranktrain.saying.names import said_name
 from cranktrain.web.asked import MOST_KEPT, Case, ClickedPart, SentMachine
 from cranktrain.web.case_words import CaseWords, case_words
 from cranktrain.web.exporting import exported
 from cranktrain.web.going_on import page_going_on
+from cranktrain.web.other_pistons import other_pistons
 from cranktrain.web.packed import Packed, packed
 from cranktrain.web.page import ShownMachine, machine_page, page_members_of, shown_throw, tab_content, tab_names
 from cranktrain.web.whence import page_whence
@@ -135,15 +137,22 @@ def packed_page(case: Case, tab: str, beside: Case | None = None, piston: str = 
     file, result = _computed(case)
     with result.in_its_units():
         page = machine_page(result, tab, _result_of(beside), piston)
-        return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), case_words()))
+        words = case_words(adds_parts=any(place.kind.additions for place in file.machine.places))
+        return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), words))
 
 
 def packed_tab(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
     """Compute what stands on a tab, and pack it; as `packed_page`."""
     _file, result = _computed(case)
-    names = tab_names(result)
     with result.in_its_units():
-        return packed(tab_content(result, tab if tab in names else names[0], _result_of(beside), piston))
+        return packed(tab_content(result, _tab_of(result, tab), _result_of(beside), piston))
+
+
+def packed_others(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
+    """Collect the curves of the pistons that are not chosen on a tab, and pack them; as `packed_page`."""
+    _file, result = _computed(case)
+    with result.in_its_units():
+        return packed(other_pistons(result, _tab_of(result, tab), _result_of(beside), piston))
 
 
 def packed_trust(case: Case) -> Packed:
@@ -211,6 +220,12 @@ def export_of(case: Case, tab: str, suffix: str) -> bytes:
     return exported(*_computed(case), tab, suffix)
 
 
+def _tab_of(result: Result, name: str) -> str:
+    """Give the name of a tab; of the first where there is none of it."""
+    names = tab_names(result)
+    return name if name in names else names[0]
+
+
 def _result_of(case: Case | None) -> Result | None:
     """Compute a saved case, if there is one."""
     return None if case is None else _computed(case)[1]
@@ -267,16 +282,23 @@ def _languages() -> Iterator[PageLanguage]:
 
 def _tables(file: MachineFile) -> tuple[NumbersOfTable, ...]:
     """Give the numbers of a file, table by table."""
-    tables: dict[str, list[Input]] = {}
-    for one in inputs_of(file):
-        tables.setdefault(_table_of(one.path), []).append(one)
-    return tuple(NumbersOfTable(name, tuple(map(_page_input, inputs))) for name, inputs in tables.items())
+    tables = grouped((_table_of(one.path), one) for one in inputs_of(file))
+    return tuple(
+        NumbersOfTable(_table_name(file, above), tuple(map(_page_input, inputs))) for above, inputs in tables.items()
+    )
 
 
-def _table_of(path: str) -> str:
-    """Name the table in which a number stands, as the file does."""
-    names = [str(part) for part in parts_of(path) if isinstance(part, str)]
-    return f"[{'.'.join(names[:-1])}]" if len(names) > 1 else ""
+def _table_of(path: str) -> PathParts:
+    """Find the table in which a number stands: above its key, or the key of its list."""
+    parts = parts_of(path)
+    return parts[: max((place for place, part in enumerate(parts) if isinstance(part, str)), default=0)]
+
+
+def _table_name(file: MachineFile, above: PathParts) -> str:
+    """Name a table by its path, with the name that it has in the file beside where it has one."""
+    called = item_at(file.document.data, (*above, "name")) if above else None
+    path = f"[{path_text(above)}]" if above else ""
+    return f"{path} {called}" if isinstance(called, str) else path
 
 
 @lru_cache(_MOST_INPUTS)

@@ -65,8 +65,8 @@ class CaseWords:
 
 
 @cache
-def case_words() -> CaseWords:
-    """Give them."""
+def case_words(*, adds_parts: bool = False) -> CaseWords:
+    """Give them; `adds_parts`: whether parts may be added to the machine by clicks."""
     return CaseWords(
         machine=_("Machine"),
         numbers=_("Numbers of the file"),
@@ -100,7 +100,7 @@ def case_words() -> CaseWords:
             hint=_("Click a point to load its design; the present one is marked."),
             numbers=_("Numbers"),
         ),
-        move=_("Move pins"),
+        move=_("Move pins, add parts") if adds_parts else _("Move pins"),
         adding=AddingWords(
             add=_("Add"),
             back=_("Back"),

@@ -1,33 +1,25 @@
 """What a page shows of a machine: its answer, a tab for each title of its questions, its drawing over the cycle."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
-from importlib import import_module
-from inspect import signature
-from itertools import zip_longest
-from typing import Any, get_type_hints
 
 import numpy as np
 
 from cranktrain.analysis import Result
 from cranktrain.analysis.answer import answer_titles, rows_that_say_most, rows_under
 from cranktrain.analysis.minded import to_mind
-from cranktrain.errors import InputError
+from cranktrain.io.rests_on import rests_on
 from cranktrain.io.title import headed
 from cranktrain.language import Words, _
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.layout.question import Question
 from cranktrain.layout.speed import SpeedCurve
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.panels.dead_positions import dead_positions
 from cranktrain.panels.drawing import MachineDrawing
 from cranktrain.panels.drawing_of_machine import machine_drawing
-from cranktrain.panels.parts import Sheet, SheetColumn, Stack
-from cranktrain.panels.plotted import plot_of
-from cranktrain.panels.shapes import Panel
-from cranktrain.panels.sheets import pictures_of, vectors_of
+from cranktrain.panels.sheets import vectors_of
 from cranktrain.panels.vectors import VectorsToScale, vectors_as_shown
 from cranktrain.plans.placement import first_throw, place_called, throw_of
 from cranktrain.record import record
@@ -35,10 +27,11 @@ from cranktrain.saying.row_table import written_group
 from cranktrain.saying.row_words import row_sentence
 from cranktrain.web.as_seen import in_bits_seen
 from cranktrain.web.members_table import PageMembers, page_members
-from cranktrain.web.parts import page_curves, page_parts
+from cranktrain.web.other_pistons import has_others
 from cranktrain.web.saved_facts import facts_beside
 from cranktrain.web.start_tab import START
-from cranktrain.web.tabs import PageSheet, TabContent, lacking_sheet
+from cranktrain.web.tab_sheets import has_piston, named, page_sheets, questions_under, sheet_makers, without_repeated
+from cranktrain.web.tabs import TabContent
 from cranktrain.web.textbook_tab import TEXTBOOK
 from cranktrain.web.throws import PagePiston, PageThrow, page_pistons, page_throws
 
@@ -48,9 +41,6 @@ _STEP_AT_SPEEDS = 1.0
 """Between numbers of pins and links of a crank whose speed varies and may rest, about which they turn fast. [deg]"""
 _VECTOR_STEP = 4.0
 """Between vectors, likewise: what stands evenly over the cycle. [deg]"""
-_MOST_PANELS = 4
-"""Of curves of a question that has no sheet."""
-
 ASKED_TABS = (START, TEXTBOOK)
 """Tabs of what is asked when somebody opens them, behind those of the questions."""
 
@@ -112,6 +102,8 @@ class PageWords:
     dark: Words
     ghosts: Words
     pistons: Words
+    others: Words
+    others_hint: Words
     throws: Words
     members: Words
 
@@ -138,6 +130,8 @@ def _page_words() -> PageWords:
         dark=_("dark"),
         ghosts=_("Dead centres"),
         pistons=_("Piston whose throw and curves are shown"),
+        others=_("Other pistons"),
+        others_hint=_("Thin grey: the same of the other pistons. Point at a line to see whose it is."),
         throws=_("Throws at φ = 0, as seen from the free end"),
         members=_("Pins and links at the crank angle"),
     )
@@ -237,21 +231,16 @@ def _evenly(result: Result, step: float) -> Array:
 
 def shown_throw(machine: Machine, piston: str) -> tuple[PlacedMechanism, ...]:
     """Give the throw of a piston, the first where there is none of that name."""
-    if _has_piston(machine, piston):
+    if has_piston(machine, piston):
         return throw_of(machine, place_called(machine, piston))
     return first_throw(machine)
-
-
-def _has_piston(machine: Machine, name: str) -> bool:
-    """Whether a machine has a piston of a name."""
-    return any(place.name == name for place in machine.design.pistons)
 
 
 def tab_names(result: Result) -> tuple[str, ...]:
     """Titles of questions that have an answer or a picture, in the order in which people ask them, and what else is."""
     with_rows = answer_titles(result)
     titles = dict.fromkeys(question.title for question in result.machines[0].questions)
-    of_questions = (title for title in titles if title in with_rows or any(_makers(result, title)))
+    of_questions = (title for title in titles if title in with_rows or any(sheet_makers(result, title)))
     return (*of_questions, *(tab.name for tab in ASKED_TABS if tab.is_there(result)))
 
 
@@ -261,11 +250,15 @@ def tab_content(result: Result, title: str, saved: Result | None = None, piston:
         if tab.name == title:
             return tab.content(result)
     rows = rows_under(result, title)
+    sheets = tuple(page_sheets(result, title, saved, piston))
+    first = rows_that_say_most(result, title, rows)
     return TabContent(
-        sentence=row_sentence(_(title), rows_that_say_most(result, title, rows)),
+        sentence=row_sentence(_(title), first),
+        rests_on=rests_on(result, title, first),
         answer=written_group(_(title), rows),
         beside=None if saved is None else facts_beside(result, saved, title),
-        sheets=tuple(_sheets(result, title, saved, piston)),
+        sheets=tuple(without_repeated(sheets)),
+        has_others=has_others(result, title, sheets),
         vectors=tuple(map(_vectors_as_seen, _vectors(result, title, piston))),
     )
 
@@ -279,51 +272,11 @@ def page_trust(result: Result) -> PageTrust:
     return PageTrust(tuple(sentence for of_sort in to_mind(result) for sentence in of_sort), tuple(checks))
 
 
-def _questions(result: Result, title: str) -> list[Question]:
-    """Questions of a title."""
-    return [question for question in result.machines[0].questions if question.title == title]
-
-
-def _sheets(result: Result, title: str, saved: Result | None, piston: str) -> Iterator[PageSheet]:
-    """Give the sheets of some questions; of those without one some of their curves."""
-    makers = list(_makers(result, title))
-    for make in makers:
-        try:
-            sheet: Sheet = make(result, **_chosen(result, make, piston))
-        except InputError as error:
-            yield lacking_sheet(error)
-        else:
-            beside = [column.parts for column in _sheet_beside(saved, title, make, piston)]
-            parts = zip_longest((column.parts for column in sheet.columns), beside[: len(sheet.columns)], fillvalue=())
-            yield PageSheet(sheet.title, tuple(tuple(page_parts(*each)) for each in parts))
-    panels, others = (() if makers or one is None else tuple(_curves(one, title)) for one in (result, saved))
-    if panels:
-        curves = page_curves(Stack(panels), _("Crank angle φ, °"), Stack(others))
-        yield PageSheet("", ((curves,),))
-
-
-def _sheet_beside(saved: Result | None, title: str, make: Callable[..., Any], piston: str) -> Sequence[SheetColumn]:
-    """Make the same sheet of a saved case, if that has all for it; give its columns."""
-    if saved is None or make not in _makers(saved, title):
-        return ()
-    try:
-        sheet: Sheet = make(saved, **_chosen(saved, make, piston))
-    except InputError:  # where it is the machine that is shown, it says what its file lacks
-        return ()
-    return sheet.columns
-
-
-def _chosen(result: Result, make: Callable[..., Any], piston: str) -> dict[str, str]:
-    """Choose the piston of a sheet that is one's, if there is one of that name."""
-    takes = "piston" in signature(make).parameters and _has_piston(result.machines[0], piston)
-    return {"piston": piston} if takes else {}
-
-
 def _vectors(result: Result, title: str, piston: str) -> Iterator[VectorsToScale]:
     """Give vectors of some questions on the throw that is drawn."""
     angles = _evenly(result, _VECTOR_STEP)
-    for home in (one for question in _questions(result, title) for one in vectors_of(question.name)):
-        yield from _named(home)(result, shown_throw(result.machines[0], piston), angles)
+    for home in (one for question in questions_under(result, title) for one in vectors_of(question.name)):
+        yield from named(home)(result, shown_throw(result.machines[0], piston), angles)
 
 
 def _vectors_as_seen(found: VectorsToScale) -> VectorsToScale:
@@ -331,28 +284,3 @@ def _vectors_as_seen(found: VectorsToScale) -> VectorsToScale:
     shown = vectors_as_shown(found)
     vectors = tuple(replace(one, value=in_bits_seen(one.value, shown.largest)) for one in shown.vectors)
     return replace(shown, vectors=vectors)
-
-
-def _named(home: str) -> Callable[..., Any]:
-    """Find a function, `module:function`."""
-    place, _colon, name = home.partition(":")
-    return getattr(import_module(place), name)
-
-
-def _makers(result: Result, title: str) -> Iterator[Callable[..., Any]]:
-    """Find what makes pictures over the cycle that are sheets as data, of which the result has what they need."""
-    for picture in (one for question in _questions(result, title) for one in pictures_of(question.name)):
-        if picture.over == "cycle" and all(name in result.catalogue for name in picture.needs):
-            function = _named(picture.home)
-            if get_type_hints(function).get("return") is Sheet:
-                yield function
-
-
-def _curves(result: Result, title: str) -> Iterator[Panel]:
-    """Give the first curves of the questions of a title, in SI."""
-    names = [name for question in _questions(result, title) for stage in question.stages for name in stage.results]
-    curves = [name for name in names if name in result.catalogue and result.is_curve(result.catalogue[name])]
-    for name in curves[:_MOST_PANELS]:
-        for panel in plot_of(result, name).panels:
-            if isinstance(panel, Panel):
-                yield panel

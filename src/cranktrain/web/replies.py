@@ -11,6 +11,7 @@ from cranktrain.web.case import (
     file_text,
     packed_handles,
     packed_members,
+    packed_others,
     packed_page,
     packed_tab,
     packed_trust,
@@ -72,6 +73,8 @@ def _content(question: PageQuestion) -> bytes:
         return packed_page(case, tab, beside, piston).content
     if part == "tab":
         return packed_tab(case, tab, beside, piston).content
+    if part == "others":
+        return packed_others(case, tab, beside, piston).content
     if part == "members":
         return packed_members(case, piston).content
     return (packed_trust(case) if part == "trust" else packed_handles(case, piston)).content

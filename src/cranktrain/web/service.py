@@ -134,6 +134,11 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
         """Give what stands on a tab."""
         return await answered(request, asked, "tab")
 
+    @app.post("/api/others", **_NUMBERS)
+    async def _others(request: Request, asked: PageAsked) -> Response:
+        """Give the curves that stand on a tab of one piston of all the others."""
+        return await answered(request, asked, "others")
+
     @app.post("/api/trust", **_NUMBERS)
     async def _trust(request: Request, asked: CaseAsked) -> Response:
         """Give what is to be minded of a machine, and its checks: everything that it allows is computed for these."""

@@ -2,13 +2,18 @@
 
 import gzip
 from base64 import b64encode
+from dataclasses import replace
 from html import escape
 from importlib.resources import files
 
 from cranktrain.analysis import Result
 from cranktrain.language import spoken_language
+from cranktrain.web.other_pistons import other_pistons
 from cranktrain.web.packed import packed
-from cranktrain.web.page import machine_page
+from cranktrain.web.page import ShownMachine, machine_page
+
+_MOST = 500_000
+"""Bytes of a page: with more it has no curves of the other pistons."""
 
 _PAGE = """<!doctype html>
 <html lang="{language}">
@@ -39,6 +44,32 @@ def standalone_page(result: Result) -> str:
         HTML, in the language and the units that are chosen.
     """
     page = machine_page(result)
+    if not any(tab.content is not None and tab.content.has_others for tab in page.tabs):
+        return _written(page)
+    whole = _written(_with_others(page, result))
+    return whole if len(whole.encode()) < _MOST else _written(_with_others(page, None))
+
+
+def _with_others(page: ShownMachine, result: Result | None) -> ShownMachine:
+    """Give a page with the curves of the other pistons, or such that nobody asks for them."""
+    tabs = tuple(
+        tab
+        if tab.content is None or not tab.content.has_others
+        else replace(
+            tab,
+            content=replace(
+                tab.content,
+                has_others=result is not None,
+                others=None if result is None else other_pistons(result, tab.name),
+            ),
+        )
+        for tab in page.tabs
+    )
+    return replace(page, tabs=tabs)
+
+
+def _written(page: ShownMachine) -> str:
+    """Write all that it has and needs into one text."""
     built = files("cranktrain.web") / "built"
     return _PAGE.format(
         language=spoken_language(),

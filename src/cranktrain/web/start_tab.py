@@ -17,7 +17,7 @@ from cranktrain.panels.sheets.drive.start import event_sorts, start_picture
 from cranktrain.saying.row_table import WrittenGroup, written_group
 from cranktrain.saying.row_words import row_sentence
 from cranktrain.saying.scales import Scale, scale_for
-from cranktrain.study.start import Start, event_texts, quantities_of_start, start
+from cranktrain.study.start import Start, event_texts, quantities_of_start, whole_start
 from cranktrain.web.parts import EventStrip, PageEvent, PageEvents, PagePart, page_parts
 from cranktrain.web.tabs import AskedTab, CourseWords, PageCourse, PagePace, PageSheet, TabContent, lacking_sheet
 
@@ -47,7 +47,7 @@ def _is_there(result: Result) -> bool:
 def _content(result: Result) -> TabContent:
     """Run the machine over time."""
     try:
-        found = start(result.machines[0])
+        found = whole_start(result.machines[0])
     except InputError as error:
         return TabContent("", WrittenGroup(str(_(_NAME)), (), ()), (lacking_sheet(error),))
     ((title, rows),) = found.answer_rows()

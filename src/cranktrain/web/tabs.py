@@ -74,6 +74,35 @@ class PageCourse:
 
 
 @record
+class OtherCurve:
+    """A curve of one or several of the other pistons, as it is seen: no number is read off it.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Whose it is: all these have the same.
+    symbol : str
+        By which the legend names the chosen piston's; none where that has none.
+    values : Array, shape (n,)
+        In the unit of its panel.
+    across : Array, shape (n,), optional
+        Where it stands, unless with the panel.
+    """
+
+    names: tuple[str, ...]
+    symbol: str
+    values: Array
+    across: Array | None
+
+
+@record
+class PageOthers:
+    """Curves of the other pistons for each panel of each part of a tab that has curves, in their order."""
+
+    parts: tuple[tuple[tuple[OtherCurve, ...], ...], ...]
+
+
+@record
 class TabContent:
     """What stands on a tab.
 
@@ -90,6 +119,12 @@ class TabContent:
         For the drawing.
     course : PageCourse or None
         Time that it is over, in which the crank turns; None of what is over the crank angle.
+    has_others : bool
+        Whether it has curves of one piston of several, of which the others' may be asked for.
+    others : PageOthers or None
+        These, where nobody can be asked; None where they are not there.
+    rests_on : Words
+        What the sentence rests on; none where nothing is said.
     """
 
     sentence: Words
@@ -98,6 +133,9 @@ class TabContent:
     beside: PageTable | None = None
     vectors: tuple[VectorsToScale, ...] = ()
     course: PageCourse | None = None
+    has_others: bool = False
+    others: PageOthers | None = None
+    rests_on: Words = ""
 
 
 class AskedTab(NamedTuple):

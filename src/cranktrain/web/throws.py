@@ -17,9 +17,21 @@ from cranktrain.record import record
 
 @record
 class PagePiston:
-    """A piston whose throw and curves may be shown: its name, when it fires if it does, and its throw."""
+    """A piston whose throw and curves may be shown.
+
+    Attributes
+    ----------
+    name : str
+    number : str
+        The maker's of its cylinder, by which the firing order names it; none where the file gives none.
+    firing : Words
+        When it fires; nothing of one that does not.
+    shaft : str
+    throw : int
+    """
 
     name: str
+    number: str
     firing: Words
     shaft: str
     throw: int
@@ -51,9 +63,21 @@ def page_pistons(result: Result) -> tuple[PagePiston, ...]:
     angles = (
         {} if firing is None else dict(zip(result.labels["cylinder"], firing.firing_angle[0].tolist(), strict=True))
     )
+    numbers = (
+        {}
+        if firing is None
+        else dict(zip((result.labels["cylinder"][place] for place in firing.order), firing.numbers, strict=False))
+    )
     in_order = sorted(places, key=lambda place: angles.get(place.cylinder, 0.0))
     return tuple(
-        PagePiston(place.name, _degrees(angles.get(place.cylinder)), place.shaft, place.throw + 1) for place in in_order
+        PagePiston(
+            place.name,
+            numbers.get(place.cylinder, ""),
+            _degrees(angles.get(place.cylinder)),
+            place.shaft,
+            place.throw + 1,
+        )
+        for place in in_order
     )
 
 

@@ -295,3 +295,16 @@ def test_a_click_takes_what_is_drawn():
     assert [one.pins for one in joint.targets] == [()]
     other = ct.Machine(mechanism={"kind": "slider_crank", "crank_radius": "50 mm", "rod_length": "130 mm"})
     assert drawn_additions(other, first_throw(other)) == ()
+
+
+@pytest.mark.parametrize("lie", LIE)
+@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize("part", [0.13, 0.37, 0.5, 0.8, -0.3, 1.4])
+def test_links_that_are_clicked_in_line_meet_there_when_they_are_typed(lie, angle, part):
+    """Both lengths are rounded, and still reach; by a step or two in line, the joint lies off it by their root."""
+    text, lying = text_of(*lie), Lying(*lie)
+    start, end = np.array(lying.crank(angle)), np.array(lying.at(*PIVOT))
+    at = start + part * (end - start)
+    after = added(text, "pair", angle, ("main.pin", (9.0, 9.0)), ("", tuple(at)), ("C", (0.0, 0.0)))
+    off = np.sqrt(4.0 * lying.step * away(start, end)) + 4.0 * lying.step
+    assert away(pins_of(after, angle)["B"], at) < off

@@ -46,6 +46,10 @@ def by_speed(value):
     return machine(speed=f"{value / 0.2 * 60!r} rpm")
 
 
+def by_bore(value):
+    return machine(cylinder={"bore": f"{value!r} m"})
+
+
 def by_ratio(value):
     return machine(cylinder={"compression_ratio": value})
 
@@ -222,6 +226,7 @@ MACHINES = {
     "lambda": by_lambda,
     "least_heat": by_heat,
     "coldest_wall": by_wall,
+    "bore": by_bore,
     "least_exponent": by_exponent,
     "least_efficiency": by_efficiency,
     "young": by_young,

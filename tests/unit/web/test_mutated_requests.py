@@ -45,7 +45,7 @@ ODD = (
     "mechanism.rod_length=1e400 mm", "mechanism.kind=chain", "cylinder.bore=[1,2]", "shaft.main.speed=inf rpm",
     "bank.A.mechanism.stroke=1 mm", "mechanism.rod_length=nan mm", "units.length=furlong", "[" * 50_000,
 )  # fmt: skip
-ASKED = ("/api/case", "/api/tab", "/api/trust", "/api/members", "/api/handles", "/api/file")
+ASKED = ("/api/case", "/api/tab", "/api/others", "/api/trust", "/api/members", "/api/handles", "/api/file")
 OTHERS = ("/api/none", "/api/sweep", "/api/gallery", "/api/examples", "/", "/app.css")
 WAYS = ("POST",) * 12 + ("GET", "PUT", "DELETE", "OPTIONS", "HEAD")
 HEADERS = (

@@ -8,12 +8,14 @@ from functools import cache
 
 import numpy as np
 import pytest
+from tests.sentences import MISSING_FOR_DIAGRAM
 from tests.unit.web.test_packed import array
 
 import cranktrain as ct
 from cranktrain.io.examples import EXAMPLES_FOLDER
 from cranktrain.panels.parts import Notes
 from cranktrain.saying.row_words import row_words
+from cranktrain.web.other_pistons import other_pistons
 from cranktrain.web.packed import packed
 from cranktrain.web.page import ASKED_TABS, machine_page
 from cranktrain.web.parts import PageCurves, PagePolars
@@ -99,13 +101,15 @@ def test_a_browser_can_take_it(name):
 def test_one_cycle_takes_a_tenth_of_a_megabyte_on_its_way_whatever_is_open(name):
     whole = page(name)
     for tab in whole.tabs:
+        if tab.content.has_others:
+            assert len(gzip.compress(packed(other_pistons(result(name), tab.name)).content, 1)) < 100_000, tab.name
         tabs = tuple(one if one is tab else replace(one, content=None) for one in whole.tabs)
         for sent in (tab.content, replace(whole, tabs=tabs, trust=None, members=None)):
             assert len(gzip.compress(packed(sent).content, 1)) < 100_000, tab.name
     assert len(gzip.compress(packed(whole.members).content, 1)) < 100_000
 
 
-@pytest.mark.parametrize("name", ["3d12", "vaz_21213", "deltic"])
+@pytest.mark.parametrize("name", ["3d12", "vaz_21213", "deltic", "r_1340"])
 def test_the_largest_pages_are_below_half_a_megabyte(name):
     assert len(standalone_page(result(name)).encode()) < 500_000
 
@@ -176,3 +180,10 @@ def test_a_page_of_another_piston_has_its_throw_and_its_curves():
     assert machine_page(found, "Motion", piston="no such").drawing.mechanisms[0].name == "1L"
     assert {one.name for one in other.pistons} == set(found.labels["piston"])
     assert page("burning_cylinder").pistons == ()
+
+
+@pytest.mark.parametrize("name", ["pumping_unit_c57", "eccentric_press", "deltic"])
+def test_what_the_file_lacks_for_two_sheets_is_said_once(name):
+    (tab,) = [one for one in page(name).tabs if one.name == "Evenness"]
+    lacking = [part.sentences for part in parts(tab) if isinstance(part, Notes)]
+    assert [list(map(str, one)) for one in lacking] == [[f"evenness: {MISSING_FOR_DIAGRAM}[evenness] coefficient"]]

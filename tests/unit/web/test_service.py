@@ -243,6 +243,7 @@ def test_its_interface_is_described(client):
             "/api/tab",
             "/api/trust",
             "/api/members",
+            "/api/others",
             "/api/handles",
             "/api/file",
             "/api/examples",

@@ -31,6 +31,14 @@ def test_both_pistons_of_a_cylinder_fire_at_once():
     assert {one.shaft for one in found} == {"main", "right", "bottom"}
 
 
+def test_makers_numbers_are_those_of_the_firing_order():
+    """1-3-5-7-9-2-4-6-8 (FAA-H-8083-32), where the file calls cylinder 1 the master's, and the others 1S to 8S."""
+    found = page_pistons(result("r_1340"))
+    assert [one.number for one in found] == list("135792468")
+    assert {one.name: one.number for one in found} == {"1M": "1"} | {f"{k}S": str(k + 1) for k in range(1, 9)}
+    assert {one.number for one in page_pistons(result("3d12"))} == {""}
+
+
 def test_where_nothing_fires_they_stand_as_in_the_file():
     found = page_pistons(result("two_throw_compressor"))
     assert [(one.name, one.firing) for one in found] == [("1", ""), ("2", "")]

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from cranktrain.language import Words, _
+from cranktrain.language import N_, Words, _
 from cranktrain.layout.frames import Frames
 from cranktrain.layout.mechanisms import Pistons
 from cranktrain.motion import Array
@@ -15,9 +15,16 @@ from cranktrain.questions.cylinders.possible_orders import has_even_order, likes
 from cranktrain.questions.cylinders.travel import CylinderPistons
 from cranktrain.questions.cylinders.volumes import Chambers, ChamberVolumes, CompressionRatios
 from cranktrain.record import record
-from cranktrain.saying.checks import Flagged
+from cranktrain.saying.checks import Flagged, Limit, flagged
 from cranktrain.saying.wording import number
 
+# Smallest of models that run; the low-pressure cylinder of the pumping engine at Cruquius, 1849, 144 in.
+_BORE = Limit(
+    4.0,
+    "mm",
+    N_("A bore of {value} is none that was ever built, from 3 mm of models to 3.66 m at Cruquius: is its unit right?"),
+    0.002,
+)
 _OFF = 0.2
 """Of a master's compression ratio, by which a slave's is flagged: those of built radials differ by a few hundredths."""
 _UNEVEN = 0.01
@@ -46,6 +53,8 @@ def unlikely_cylinders(
 ) -> UnlikelyCylinders:
     """Flag what is unlikely, as far as it is known."""
     found: list[Words] = []
+    if chambers is not None:
+        found += flagged(_BORE, np.sqrt(4 / np.pi * chambers.area))
     if volumes is not None and chambers is not None and ratios is not None:
         found += _ratios_of_slaves(volumes.compression_ratio, ratios, chambers.names)
     known = (order, cycle, cylinders, pistons, frames)

@@ -16,8 +16,8 @@ def pumping_rows(of: Telling, found: GearboxTorque) -> Iterator[AnswerLine]:
         " least {least_gearbox_torque} at {least_gearbox_torque_at}"
     )
     yield of.line(_("gearbox torque"), message, found)
-    message = N_("mean {mean_gearbox_torque}, cyclic load factor {cyclic_load_factor}; at the rod {polished_rod_power}")
-    yield of.line(_("mean and evenness"), message, found)
+    message = N_("{mean_gearbox_torque}, cyclic load factor {cyclic_load_factor}; at the rod {polished_rod_power}")
+    yield of.line(_("mean torque"), message, found)
     yield of.row(_("of the rated torque"), found, "torque_share", unit="%")
     if np.isfinite(of.values(found, "counterbalance_moment")):
         message = N_(

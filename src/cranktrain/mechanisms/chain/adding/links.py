@@ -34,10 +34,11 @@ def _pair(shown: ShownChain, clicks: Sequence[Clicked]) -> AddedTable:
         if shown.typing.is_there(at, pin):
             raise refusal(clicked, _("is where both links would meet; let them meet elsewhere"))
     (x, y), (across, up) = end - start, at - start
+    rod, rocker = shown.typing.reaching(distance(at, start), distance(at, end), distance(start, end))
     part: dict[str, Any] = {
         "type": "pin",
-        "rod": link_from(shown, shown.new(["rod"]), first, distance(at, start)),
-        "rocker": link_from(shown, shown.new(["rocker"]), last, distance(at, end)),
+        "rod": link_from(shown, shown.new(["rod"]), first, rod),
+        "rocker": link_from(shown, shown.new(["rocker"]), last, rocker),
         "joint": shown.new("B"),
         "side": "left" if x * up - y * across > 0.0 else "right",
     }

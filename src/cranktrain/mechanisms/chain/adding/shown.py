@@ -49,6 +49,17 @@ class Typing(NamedTuple):
         """Type where something is."""
         return [self.text(float(one)) for one in place]
 
+    def reaching(self, one: float, other: float, apart: float) -> tuple[float, float]:
+        """Give the lengths of two links between pins so far apart such that they still meet when they are typed. [m]
+
+        Where they lie nearly in line, the shorter one grows by as many steps as it takes.
+        """
+        long, short = sorted(map(self.rounded, (one, other)), reverse=True)
+        lacks = max(apart - (long + short), (long - short) - apart)
+        if lacks >= 0.0:
+            short += (np.floor(lacks / self.size / self.step) + 1.0) * self.step * self.size
+        return (long, short) if one >= other else (short, long)
+
     def is_small(self, length: float) -> bool:
         """Whether a length may be a click that missed."""
         return abs(length) < _NEAR * self.step * self.size

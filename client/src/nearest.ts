@@ -1,0 +1,31 @@
+// Which of several lines is nearest to where somebody points.
+
+/** Points of a curve: along and up. */
+export interface Line {
+  readonly across: Float32Array;
+  readonly values: Float32Array;
+}
+
+/** Place of the line that passes nearest to a point, in pixels, and no farther than that; −1 where none does. */
+export function nearest(lines: readonly Line[], x: (value: number) => number, y: (value: number) => number, [left, top]: readonly [number, number], most: number): number {
+  let found = -1;
+  let least = most;
+  lines.forEach(({ across, values }, place) => {
+    let [x0, y0] = [NaN, NaN];
+    for (let point = 0; point < values.length; point++) {
+      const [x1, y1] = [x(across[point] ?? NaN), y(values[point] ?? NaN)];
+      const far = apart(left, top, x0, y0, x1, y1);
+      if (far < least) [found, least] = [place, far];
+      [x0, y0] = [x1, y1];
+    }
+  });
+  return found;
+}
+
+/** Distance of a point from a piece of a line; NaN where that has an end that is not there. */
+function apart(left: number, top: number, x0: number, y0: number, x1: number, y1: number): number {
+  const [width, height] = [x1 - x0, y1 - y0];
+  const square = width * width + height * height;
+  const part = square === 0 ? 0 : Math.min(Math.max(((left - x0) * width + (top - y0) * height) / square, 0), 1);
+  return Math.hypot(left - x0 - part * width, top - y0 - part * height);
+}
