@@ -3,13 +3,14 @@
 import inspect
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
 from cranktrain.analysis.pipeline import PartBehind, Pipeline, Place, StageBehind
-from cranktrain.analysis.stages import every_stage, lacking, leading_to, ordered, stages_for, stages_giving
+from cranktrain.analysis.stages import KEPT, every_stage, lacking, leading_to, ordered, stages_for, stages_giving
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import Listed, Words, _
@@ -92,12 +93,17 @@ def tables_behind(machine: Machine, there: Iterable[type], quantities: Iterable[
     quantities : iterable of str
         Names in the catalogue.
     """
-    known = frozenset(there)
-    stages = [one for one in stages_for(machine) if one.gives in known]
-    way = leading_to(stages, [one.gives for one in stages_giving(stages, quantities, "behind")])
-    parts = dict.fromkeys(need for need in _needs(way) if need not in known)
+    parts = _parts_behind(stages_for(machine), frozenset(there), tuple(quantities))
     found = (_tables(tables_of(part), machine.declared) for part in parts)
     return frozenset(table.strip("[]") for tables in found for table in tables)
+
+
+@lru_cache(maxsize=KEPT)
+def _parts_behind(stages: tuple[Stage, ...], there: frozenset[type], quantities: tuple[str, ...]) -> tuple[type, ...]:
+    """Find the parts that stand on the way to quantities, where there are some outcomes."""
+    own = [one for one in stages if one.gives in there]
+    way = leading_to(own, [one.gives for one in stages_giving(own, quantities, "behind")])
+    return tuple(dict.fromkeys(need for need in _needs(way) if need not in there))
 
 
 def _needs(way: Sequence[Stage]) -> Iterator[type]:
