@@ -60,12 +60,12 @@ def balances(each: Sequence[DriveInTurn], cycle: float) -> list[SpeedBalance]:
         as far as the torque falls below the load.
     """
     angle = np.broadcast_to((np.arange(_N_ANGLES) + 0.5) * cycle / _N_ANGLES, (len(each), _N_ANGLES))
-    there = together(each).at(angle)
+    there = together(each, angle)
     highest = np.array([one.motor.highest_speed(0) / overall_ratio(one.gearing) for one in each])
     found = _up_to(there, np.where(np.isfinite(highest), highest, 1.0))
     for place, (top, own) in enumerate(zip(highest.tolist(), found, strict=True)):
         if np.isinf(top) or (own.speed is None and own.excess[-1] > 0):
-            alone = together(each[place : place + 1]).at(angle[:1])
+            alone = together(each[place : place + 1], angle[:1])
             (found[place],) = _up_to(alone, _end(alone, top if np.isfinite(top) else 1.0))
     return found
 

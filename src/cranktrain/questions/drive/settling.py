@@ -12,6 +12,7 @@ from cranktrain.questions.drive.balanced_speed import balances
 from cranktrain.questions.drive.cycle_equation import speed_over_turn, speeds_over_turn
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, passings
 from cranktrain.questions.drive.steady_turn import DriveInTurn, together
+from cranktrain.questions.reduction.at_angles import reduced_of_each
 from cranktrain.questions.reduction.cycle_pieces import (
     NODES,
     CyclePieces,
@@ -82,7 +83,7 @@ def all_settled(
     certain torques and speeds: found from it, and it anew with them, until they stand. Pieces on which the equation
     of motion is missed between the nodes are cut.
     """
-    ways = [_Way(one, mesh_of(machines.cycle, machines.corners[one.design])) for one in each]
+    ways = [_Way(one, mesh) for one, mesh in zip(each, _meshes(each, machines), strict=True)]
     for way, speed in zip(ways, held, strict=True):
         if way.turning.is_held:
             way.turning = way.turning.at(way.mesh.nodes)
@@ -111,6 +112,17 @@ class _Way:
         self.n_with_kinks = 0
 
 
+def _meshes(each: Sequence[DriveInTurn], machines: ReducedMachines) -> Iterator[CyclePieces]:
+    """Meshes that end at the corners of loads, made once where these are the same."""
+    made = dict[bytes, CyclePieces]()
+    for one in each:
+        corners = machines.corners[one.design]
+        key = corners.tobytes()
+        if key not in made:
+            made[key] = mesh_of(machines.cycle, corners)
+        yield made[key]
+
+
 def _alike(ways: Sequence[_Way]) -> Iterator[list[_Way]]:
     """Designs that can stand together, on as many pieces each: some at a time, as many as a processor holds near."""
     for own in grouped(((way.mesh.start.size, way.turning.structure), way) for way in ways).values():
@@ -120,7 +132,7 @@ def _alike(ways: Sequence[_Way]) -> Iterator[list[_Way]]:
 def _turn(alike: Sequence[_Way]) -> None:
     """Put machines to the nodes of their meshes."""
     angle = np.stack([way.mesh.nodes for way in alike])
-    here = together([way.turning for way in alike]).at(angle).here
+    here = reduced_of_each([way.turning.machine for way in alike], angle)
     for design, way in enumerate(alike):
         way.turning = way.turning._replace(here=here.changed(itemgetter(design)))
 
@@ -196,7 +208,7 @@ def missed_motion(turning: Sequence[DriveInTurn], found: Sequence[SpeedOverTurn]
     docs/theory/reduced-machine, eq. (31.6).
     """
     at_nodes = together(turning)
-    there = at_nodes.at(np.stack([one.mesh.at(_BETWEEN) for one in found]))
+    there = together(turning, np.stack([one.mesh.at(_BETWEEN) for one in found]))
     speed = np.stack([np.sqrt(2 * (one.base + np.ravel(one.grown(_TO_BETWEEN)))) for one in found])
     slopes = [np.ravel(one.acceleration.reshape(-1, NODES.size) @ _SLOPE_BETWEEN.T) for one in found]
     left = np.abs(there.left_over(speed, np.stack(slopes))).reshape(len(found), -1, _BETWEEN.size)

@@ -11,8 +11,8 @@ from cranktrain.motors.declared import motors_together
 from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, largest_over_turn
 from cranktrain.questions.reduction.at_angles import (
     ReducedAt,
-    machines_together,
     reduced_at,
+    reduced_of_each,
     reduced_together,
     structure_of,
 )
@@ -32,7 +32,7 @@ class DriveInTurn(NamedTuple):
 
     The motor is that of this design alone; `design` is its place among all. `is_held`: a servo motor holds the speed
     that is declared, and gives what torque that takes. Of designs `together` angles, speeds and torques have the shape
-    (design, n).
+    (design, n), and the machine is that of the first, which is asked at no other angles.
     """
 
     machine: ReducedMachine
@@ -102,17 +102,20 @@ class DriveInTurn(NamedTuple):
         return structure_of(self.machine), len(self.gearing.ratio), is_reversible, self.is_held
 
 
-def together(each: Sequence[DriveInTurn]) -> DriveInTurn:
-    """Designs of one `structure` as one, each at as many angles.
+def together(each: Sequence[DriveInTurn], angle: Array | None = None) -> DriveInTurn:
+    """Designs of one `structure` as one, each at as many angles, or at others, shape (design, n). [rad]
 
     Every number of a design is to the last bit as that of the design alone.
     """
     first = each[0]
     return first._replace(
-        machine=machines_together([one.machine for one in each]),
         motor=motors_together([one.motor for one in each]),
         gearing=gearings_together([one.gearing for one in each]),
-        here=reduced_together([one.here for one in each]),
+        here=(
+            reduced_together([one.here for one in each])
+            if angle is None
+            else reduced_of_each([one.machine for one in each], angle)
+        ),
     )
 
 

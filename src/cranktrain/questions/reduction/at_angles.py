@@ -102,6 +102,24 @@ def machines_together(each: Sequence[ReducedMachine]) -> ReducedMachine:
     return ReducedMachine(*(np.stack(parts) for parts in zip(*each, strict=True)))
 
 
+def reduced_of_each(each: Sequence[ReducedMachine], angle: Array) -> ReducedAt:
+    """Machines that are alike, each at its crank angles, shape (design, n): as `reduced_at`, once for all that are one.
+
+    Designs that differ in their drives alone have one machine, and mostly the same angles.
+    """
+    places = dict[tuple[int, bytes], int]()
+    which = [
+        places.setdefault((id(machine), own.tobytes()), len(places)) for machine, own in zip(each, angle, strict=True)
+    ]
+    first = [which.index(place) for place in range(len(places))]
+    found = reduced_at(machines_together([each[place] for place in first]), angle[first])
+    if len(first) == len(each):
+        return found
+    if len(first) == 1:
+        return found.changed(lambda curve: np.broadcast_to(curve, angle.shape))
+    return found.changed(lambda curve: curve[which])
+
+
 def structure_of(machine: ReducedMachine) -> Hashable:
     """What machines have in common that can stand together: all but sizes of loads and pressures of chambers."""
     loads, chambers = np.asarray(machine.loads), np.asarray(machine.chambers)

@@ -1,7 +1,8 @@
 """From a declared machine to the reduced machines of all its designs, which the equation of motion turns."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,6 +29,7 @@ from cranktrain.transient.reduced import (
     BY_SPEED,
     BY_TRAVEL,
     CURVE_WIDTH,
+    DEGREE,
     ReducedChamber,
     ReducedLoad,
     ReducedMachine,
@@ -44,6 +46,7 @@ class ReducedMachines:
     Attributes
     ----------
     each : tuple of ReducedMachine
+        One and the same of designs whose numbers are.
     corners : Array, shape (design, corner)
         φ; NaN fills up. [rad]
     misses : Array, of that shape
@@ -108,19 +111,22 @@ def reduced_machines(
     )
     cycle = crank_angle.cycle
     curves = [*_gas_over_cycle(loaded, remembering, of_all.whole, cycle), *_friction(loaded, of_all.whole, cycle)]
-    return ReducedMachines(
-        tuple(
-            ReducedMachine(
-                own.reshape(len(own), -1),
-                *_loads(loaded, ways, on_shaft, curves, design, crank_angle),
-                *_chambers(loaded.gas, own, first_volume, design),
-            )
-            for design, own in enumerate(pieces)
-        ),
-        of_all.whole,
-        of_all.misses,
-        cycle,
+    extremes = cache(lambda polynomials: extremes_over_turn(np.frombuffer(polynomials).reshape(-1, DEGREE + 1)))
+    each = (
+        ReducedMachine(
+            own.reshape(len(own), -1),
+            *_loads(loaded, ways, on_shaft, curves, design, crank_angle),
+            *_chambers(loaded.gas, own, first_volume, design, extremes),
+        )
+        for design, own in enumerate(pieces)
     )
+    return ReducedMachines(_each_once(each), of_all.whole, of_all.misses, cycle)
+
+
+def _each_once(machines: Iterable[ReducedMachine]) -> tuple[ReducedMachine, ...]:
+    """Machines in their order, those whose numbers are the same as one and the same machine."""
+    known = dict[tuple[bytes, ...], ReducedMachine]()
+    return tuple(known.setdefault(tuple(part.tobytes() for part in one), one) for one in machines)
 
 
 def _ways(loads: Sequence[LinkLoad]) -> list[_Way]:
@@ -248,14 +254,20 @@ def _table(rows: Sequence[tuple[Any, ...]], width: int) -> Array:
     return np.array(rows, dtype=float).reshape(-1, width)
 
 
-def _chambers(gas: GasInChambers | None, pieces: Array, first_volume: int, design: int) -> tuple[Array, Array]:
+def _chambers(
+    gas: GasInChambers | None,
+    pieces: Array,
+    first_volume: int,
+    design: int,
+    extremes: Callable[[bytes], tuple[float, float]],
+) -> tuple[Array, Array]:
     """Chambers of compressors of one design, and room for what they remember."""
     rows: list[ReducedChamber] = []
     fillings = [] if gas is None else [(gas.chambers, filling) for filling in gas.filled_with("compressor")]
     for chambers, filling in fillings:
         for place in filling.places.tolist():
             own: Compressor = filling.of_chamber(design, place)
-            largest, smallest = extremes_over_turn(pieces[:, first_volume + len(rows)])
+            largest, smallest = extremes(pieces[:, first_volume + len(rows)].tobytes())
             rows.append(
                 ReducedChamber(
                     volume=first_volume + len(rows),

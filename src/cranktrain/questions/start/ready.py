@@ -9,7 +9,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive
 from cranktrain.questions.drive.steady_drive import SteadyCycles
 from cranktrain.questions.gas.chambers import GasInChambers
-from cranktrain.questions.reduction.at_angles import has_inertia, machines_together, reduced_at, structure_of
+from cranktrain.questions.reduction.at_angles import has_inertia, reduced_of_each, structure_of
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.start.asked import MovingParts
 from cranktrain.questions.start.case import Braking, StartCase, StartCases
@@ -126,7 +126,7 @@ def _are_loads_known(machines: ReducedMachines, crank_angle: CrankAngle) -> list
     grid = np.broadcast_to(crank_angle.angle[:, 0], (len(machines.each), crank_angle.shown.size))
     found = [False] * len(machines.each)
     for designs in grouped((structure_of(one), place) for place, one in enumerate(machines.each)).values():
-        there = reduced_at(machines_together([machines.each[design] for design in designs]), grid[designs])
+        there = reduced_of_each([machines.each[design] for design in designs], grid[designs])
         is_known = ~np.any(np.isfinite(there.inertia) & ~np.isfinite(there.load), axis=-1)
         for design, own in zip(designs, is_known.tolist(), strict=True):
             found[design] = own
