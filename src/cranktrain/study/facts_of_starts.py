@@ -24,8 +24,8 @@ from cranktrain.motion import Array
 from cranktrain.questions.start.asked import StartAsked
 from cranktrain.questions.start.facts import StartFacts
 from cranktrain.questions.start.many import FACTS_OF_ENERGY, facts_of_ran
-from cranktrain.questions.start.record import RanStart, ReadyStarts, StartEvents, StartRun, events_in_time
-from cranktrain.questions.start.starting import events_of, reason_of
+from cranktrain.questions.start.record import RanStart, ReadyStarts, StartEvents, StartRun, numbered_events
+from cranktrain.questions.start.starting import happened, reason_of
 from cranktrain.saying.catalogue import entries
 from cranktrain.study.facts_of_rows import FactsOfRows, Gathered
 from cranktrain.study.start import is_over_time, over_time_of_columns, over_time_of_designs
@@ -36,6 +36,8 @@ FACTS_SHOWN = ("start_duration", "largest_motor_torque", "effective_motor_torque
 """Of starts, unless others are asked for."""
 _COMPILING, _LOADING = 20.0, 0.5
 """How long it takes to compile starts, and to load what was compiled before: from when on plain ones are longer. [s]"""
+_HANDED_OUT = 8
+"""Designs that a thread takes at once: one by one they would wait for each other."""
 _compiled = set[Kernels]()
 """What this process has compiled."""
 
@@ -126,7 +128,7 @@ def _add_facts(
     for at, stage in enumerate(stages):
         told = {entry.name: entry for entry in entries(stage.gives) if wanted is None or entry.name in wanted}
         if stage.gives is StartEvents:
-            each = [events_in_time(events_of(one)) for one in starts] or [own.facts[at] for own in found.values()]
+            each = [numbered_events(*happened(one)) for one in starts] or [own.facts[at] for own in found.values()]
             labels, values = _beside(each, told)
         else:
             labels = dict[str, tuple[str, ...]]()
@@ -215,9 +217,14 @@ def _run_each(
     if kernels not in _compiled:
         yield from (outcome(design, is_compiled=False) for design in range(first, n_designs))
         return
+
+    def some(begin: int) -> list[_Outcome]:
+        return [outcome(design, is_compiled=True) for design in range(begin, min(begin + _HANDED_OUT, n_designs))]
+
     with ThreadPoolExecutor(_n_threads()) as pool:
         try:
-            yield from pool.map(partial(outcome, is_compiled=True), range(first, n_designs))
+            for found in pool.map(some, range(first, n_designs, _HANDED_OUT)):
+                yield from found
         finally:
             pool.shutdown(cancel_futures=True)
 

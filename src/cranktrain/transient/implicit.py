@@ -180,7 +180,7 @@ def run_implicitly(
     ended_at_once = np.isnan(table[:, 0]) & (asked.samples == time)
     table[ended_at_once] = state
     is_there = ~np.isnan(going.table[:, 0])
-    in_order = tuple(sorted(going.events, key=lambda one: one.time))
+    marks = np.array(sorted(going.events, key=lambda one: one.time), dtype=float).reshape(-1, 4)
     reason = endings.TIME_OUT if reason == GOING else reason
     table = going.table[is_there]
     return TransientRun(
@@ -190,7 +190,7 @@ def run_implicitly(
         state,
         asked.samples[is_there],
         table,
-        in_order,
+        marks,
         residual,
         supplied,
         n_steps,

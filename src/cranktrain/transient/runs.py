@@ -100,8 +100,8 @@ class TransientRun:
         Of the samples that the run came to. [s]
     states : Array, shape (n, 6)
         At these times, as `end`.
-    events : tuple of Event
-        In the order of their times.
+    marks : Array, shape (n, 4)
+        Kind, time, angle and speed of events, in the order of their times. [1, s, rad, rad/s]
     residual, supplied : float
         Kinetic energy less what was given and taken; and the work by which to judge it: of motor and load, each by
         amount, and the largest kinetic energy of start and end. [J]
@@ -121,13 +121,18 @@ class TransientRun:
     end: Array
     time: Array
     states: Array
-    events: tuple[Event, ...]
+    marks: Array
     residual: float
     supplied: float
     n_steps: int
     method: str
     machine: Any
     steps: Array
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """In the order of their times."""
+        return tuple(Event(int(kind), *where) for kind, *where in self.marks.tolist())
 
     def of_kind(self, kind: int) -> tuple[Event, ...]:
         """Events of one kind."""
@@ -137,7 +142,7 @@ class TransientRun:
     def tells_within(self) -> bool:
         """Whether its steps tell all states: not where it waited, was stopped, or ran implicitly."""
         is_traced = self.steps.shape[1] == N_TRACED and len(self.steps) > 0
-        return is_traced and self.reason != STOPPED and not self.of_kind(endings.HELD)
+        return is_traced and self.reason != STOPPED and not np.any(self.marks[:, 0] == endings.HELD)
 
     def sampled(self, samples: Array, *, is_compiled: bool) -> "TransientRun":
         """The same with its states at other samples, shape (n,), as a run with these has them. [s]"""
@@ -286,12 +291,12 @@ def _run_through(
     is_kept = len(log.steps) > 0
     if progress is None and not is_kept:
         return loop(course, *log, most_steps + 1), course
-    kept, n_steps = copied(course), _AT_ONCE if progress is None else _FIRST_STEPS
+    kept, n_steps = course if progress is None else copied(course), _AT_ONCE if progress is None else _FIRST_STEPS
     try:
         while True:
             start = perf_counter()
             reason = loop(course, *log, n_steps)
-            kept = copied(course)
+            kept = course if progress is None else copied(course)
             if is_kept:
                 own = log.steps[: course.counts[ENDS]]
                 steps.append(own.copy() if reason == GOING else own)
@@ -311,8 +316,7 @@ def _result(
     reason: int, course: Course, log: Log, asked: Wanted, drive: DriveTrain, machine: Any, steps: Array
 ) -> TransientRun:
     """What became of a run whose course has ended."""
-    n_samples, n_marks = course.counts[SAMPLE], course.counts[MARKS]
-    rows = sorted(log.marks[:n_marks].tolist(), key=_time_of)
+    n_samples, marks = course.counts[SAMPLE], log.marks[: course.counts[MARKS]]
     residual, supplied = energy_account(
         drive, (course.here[INERTIA_BEFORE], course.here[INERTIA_AFTER]), asked.start, course.state
     )
@@ -323,7 +327,7 @@ def _result(
         np.asarray(course.state),
         np.asarray(asked.samples[:n_samples], dtype=float),
         log.table[:n_samples],
-        tuple(Event(int(kind), time, angle, speed) for kind, time, angle, speed in rows),
+        marks[np.argsort(marks[:, 1], kind="stable")],
         residual,
         supplied,
         int(course.counts[STEPS]),
@@ -336,10 +340,6 @@ def _result(
 def _one_behind_other(log: Log, steps: list[Array]) -> Array:
     """Steps of all calls; most runs take one."""
     return steps[0] if len(steps) == 1 else np.concatenate([log.steps[:0], *steps])
-
-
-def _time_of(mark: list[float]) -> float:
-    return mark[1]
 
 
 def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threads: int = 2) -> list[TransientRun]:

@@ -1,6 +1,6 @@
 """One design of a machine with its motor, ready to start; and its kernels where it is not compiled."""
 
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -119,7 +119,7 @@ class StartCase:
     steady_speed: float
     cycle_time: float
 
-    @property
+    @cached_property
     def is_to_settle(self) -> bool:
         """Whether it ends where it runs as it will, as nothing else is asked for."""
         start = self.start

@@ -8,7 +8,7 @@ from cranktrain.motion import Array
 from cranktrain.questions.start.curves import inertia_of, motor_torque
 from cranktrain.questions.start.facts import RunsInRow, StartFacts, facts_in_row
 from cranktrain.questions.start.record import RanStart
-from cranktrain.questions.start.starting import counted_on, loaded, residual_of, reversals_of, supplied_of
+from cranktrain.questions.start.starting import counted_on, happened, loaded, residual_of, supplied_of
 from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 
@@ -60,7 +60,7 @@ def facts_of_ran(starts: Sequence[RanStart], *, with_energy: bool = True) -> Sta
         time,
         curves,
         begins,
-        np.array([reversals_of(one) for one in starts], dtype=np.float64),
+        np.array([happened(one).n_reversals for one in starts], dtype=np.float64),
         np.array([residual_of(one) for one in starts]) + (0.0 if with_energy else np.nan),
         np.array(supplied),
     )

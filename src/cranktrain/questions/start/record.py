@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -249,11 +249,22 @@ def start_events(run: StartRun) -> StartEvents:
 
 def events_in_time(events: Iterable[StartEvent]) -> StartEvents:
     """Put events in the order of time into arrays."""
+    each = list(events)
+    rows = np.array([(event.time, event.angle, event.speed) for event in each]).reshape(-1, 3)
+    return numbered_events(tuple(event.sort for event in each), rows)
+
+
+def numbered_events(sorts: tuple[str, ...], rows: Array) -> StartEvents:
+    """Events by their sorts, with times, angles and speeds, shape (event, 3); those of one sort numbered."""
+    return StartEvents({"event": _numbered(sorts)}, *rows.T)
+
+
+@cache
+def _numbered(sorts: tuple[str, ...]) -> tuple[str, ...]:
+    """Names of events, which most starts of one machine have in common."""
     counts: Counter[str] = Counter()
     labels: list[str] = []
-    rows: list[tuple[float, float, float]] = []
-    for event in events:
-        counts[event.sort] += 1
-        labels.append(f"{event.sort} {counts[event.sort]}" if counts[event.sort] > 1 else event.sort)
-        rows.append((event.time, event.angle, event.speed))
-    return StartEvents({"event": tuple(labels)}, *np.array(rows).reshape(-1, 3).T)
+    for sort in sorts:
+        counts[sort] += 1
+        labels.append(f"{sort} {counts[sort]}" if counts[sort] > 1 else sort)
+    return tuple(labels)

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,7 +22,7 @@ from cranktrain.saying.wording import number
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
 from cranktrain.transient.reduced import ReducedMachine
-from cranktrain.transient.runs import REASONS, Event, Progress, TransientRun, Wanted, wanted
+from cranktrain.transient.runs import REASONS, Progress, TransientRun, Wanted, wanted
 from cranktrain.transient.step import N_STATE
 
 _NEARLY = 0.98
@@ -307,29 +308,34 @@ def _reason(ran: RanStart) -> str:
     return SETTLED if last.end[SPEED] >= 0 else SETTLED_BACKWARD
 
 
-def events_of(ran: RanStart) -> Iterator[StartEvent]:
+class Happened(NamedTuple):
+    """What happened on the way of a start: which it was, with time, angle as shown and speed, shape (event, 3)."""
+
+    sorts: tuple[str, ...]
+    rows: Array
+
+    @property
+    def n_reversals(self) -> int:
+        """How often the crank turned round."""
+        return self.sorts.count(EVENTS[endings.REVERSAL])
+
+
+def happened(ran: RanStart) -> Happened:
     """What happened on the way, by time; a crank that stops and is held does not turn round."""
-    for start, event in _marked(ran.runs):
-        yield StartEvent(
-            NEARLY_STEADY if event.kind == endings.SPEED_PASSED and ran.case.is_to_settle else EVENTS[event.kind],
-            float(start + event.time),
-            float(event.angle - ran.case.zero),
-            float(event.speed),
-        )
+    marks = np.concatenate([found.marks for _span, found in ran.runs])
+    marks[:, 1] += np.repeat([span.start for span, _found in ran.runs], [len(found.marks) for _span, found in ran.runs])
+    marks[:, 2] -= ran.case.zero
+    kind, time = marks[:, 0], marks[:, 1]
+    turns = kind == endings.REVERSAL
+    own = marks[~(turns & np.isin(time, time[kind == endings.HELD]))] if np.any(turns) else marks
+    names = EVENTS | {endings.SPEED_PASSED: NEARLY_STEADY} if ran.case.is_to_settle else EVENTS
+    return Happened(tuple(names[one] for one in own[:, 0].tolist()), own[:, 1:])
 
 
-def reversals_of(ran: RanStart) -> int:
-    """How often the crank turned round."""
-    return sum(event.kind == endings.REVERSAL for _start, event in _marked(ran.runs))
-
-
-def _marked(runs: Sequence[tuple[PartOfRun, TransientRun]]) -> Iterator[tuple[float, Event]]:
-    """What was noted on the way, behind the time from which its own counts. [s]"""
-    held = {span.start + event.time for span, found in runs for event in found.of_kind(endings.HELD)}
-    for span, found in runs:
-        for event in found.events:
-            if event.kind != endings.REVERSAL or span.start + event.time not in held:
-                yield span.start, event
+def events_of(ran: RanStart) -> Iterator[StartEvent]:
+    """What happened on the way, one by one."""
+    sorts, rows = happened(ran)
+    return (StartEvent(sort, *row) for sort, row in zip(sorts, rows.tolist(), strict=True))
 
 
 def _spans(case: StartCase) -> Iterator[PartOfRun]:
