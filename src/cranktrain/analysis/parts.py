@@ -108,7 +108,7 @@ def differences(machines: Sequence[Machine]) -> Iterator[Problem]:
     cycle = first.cycle
     for n, machine in enumerate(machines[1:], start=2):
         # what designs share needs no look
-        tables = tuple(name for name, table in own.items() if table is not getattr(machine, name))
+        tables = tuple(name for name, table in own.items() if not _are_alike(table, getattr(machine, name)))
         one, other = of_first(tables), dict(_structure_of(machine, tables))
         paths = [] if one == other else [path for path in {**one, **other} if one.get(path) != other.get(path)]
         if not paths and machine.cycle != cycle:
@@ -116,6 +116,24 @@ def differences(machines: Sequence[Machine]) -> Iterator[Problem]:
             yield Problem("load", None, over.format(n=n))
         if paths:
             yield Problem(re.sub(r"\.mechanism\[\d+\]", ".mechanism", paths[0]), None, allowed.format(n=n))
+
+
+def _are_alike(one: object, other: object) -> bool:
+    """Whether two tables, as they are read, differ in nothing but numbers; if not, it is found where."""
+    if one is other or (isinstance(one, Given) and isinstance(other, Given)):
+        return True
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, Spec):
+        names = (name for name in type(one).model_fields if name != "name" and name not in one.of_file)
+        return all(_are_alike(getattr(one, name), getattr(other, name)) for name in names)
+    if isinstance(one, Mapping):
+        named, others = cast("Mapping[str, object]", one), cast("Mapping[str, object]", other)
+        return named.keys() == others.keys() and all(_are_alike(value, others[name]) for name, value in named.items())
+    if isinstance(one, tuple):
+        items, others = cast("tuple[object, ...]", one), cast("tuple[object, ...]", other)
+        return len(items) == len(others) and all(map(_are_alike, items, others))
+    return one == other
 
 
 def _structure_of(spec: Spec, names: Iterable[str], path: str = "") -> Iterator[tuple[str, object]]:

@@ -116,6 +116,20 @@ class DeclaredMotor:
         """The motor of one design, as the only one."""
         return self.with_designs(lambda number: number[..., design : design + 1])
 
+    def of_each(self) -> "tuple[DeclaredMotor, ...]":
+        """The motors of all designs, each as the only one; those whose numbers are the same are one and the same."""
+        rows = list[Array]()
+
+        def noted(number: Array) -> Array:
+            whole = np.broadcast_to(number, (*number.shape[:-1], self.n_designs))
+            rows.append(whole.reshape(-1, self.n_designs))
+            return number
+
+        self.with_designs(noted)
+        keys = [numbers.tobytes() for numbers in np.concatenate(rows).T]
+        known = {key: self.of_design(keys.index(key)) for key in dict.fromkeys(keys)}
+        return tuple(known[key] for key in keys)
+
     def highest_speed(self, design: int) -> float:
         """Top speed; thrice the rated one of a motor that always drives; infinite where neither is known. [rad/s]"""
         top, rated = float(self.top_speed[design]), float(self.rating.speed[design])
@@ -191,6 +205,8 @@ def motors_together(each: Sequence[DeclaredMotor]) -> DeclaredMotor:
     first = each[0]
     if len(each) == 1:
         return first
+    if all(one is first for one in each):
+        return replace(first.over_designs(len(each)), current_numbers=None)
     columns = zip(*(leaves(one.numbers) for one in each), strict=True)
     return replace(
         first,

@@ -46,7 +46,7 @@ def in_one_stage(gearing: Gearing) -> OneStage:
     if len(gearing.ratio) != 1:
         is_all = len(gearing.ratio) == 0
         return OneStage(is_all, ratio, 1.0, 1.0, 0.0, 0.0, own * ratio * ratio)
-    _, _, forward, backward, drag, inertia = (float(np.ravel(each)[0]) for each in gearing)
+    forward, backward, drag, inertia = (float(each[0]) for each in gearing[2:])
     return OneStage(True, ratio, 1.0 / forward, backward, drag, inertia, own * ratio * ratio)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 from time import perf_counter
 from typing import Any, NamedTuple, TypeAlias
 
@@ -211,13 +211,14 @@ def wanted(
     start[0], start[1] = angle, speed
     times = np.sort(np.asarray(breaks, dtype=float))
     asked = np.array(() if samples is None else samples, dtype=float)
-    places = (_apart(np.asarray(each, dtype=float), period) for each in (corners, rows))
+    places = (_apart(np.asarray(each, dtype=float).tobytes(), period) for each in (corners, rows))
     return Wanted(start, limits, asked, times, next(places), float(period), next(places))
 
 
-def _apart(corners: Array, period: float) -> Array:
-    """Corners within a period, in their order, each once. [rad]"""
-    within = np.sort(np.mod(corners, period))
+@lru_cache(maxsize=64)
+def _apart(corners: bytes, period: float) -> Array:
+    """Corners within a period, in their order, each once; many starts have the same. [rad]"""
+    within = np.sort(np.mod(np.frombuffer(corners), period))
     if len(within) < 2:
         return within
     before = np.concatenate((within[-1:] - period, within[:-1]))

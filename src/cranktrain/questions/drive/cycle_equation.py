@@ -1,7 +1,7 @@
 """The equation of motion over a cycle at Gauss's points: Newton's method for the cycle that repeats itself."""
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -128,7 +128,10 @@ def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base
     width = mesh.width[..., np.newaxis]
     a, b = (part.reshape(*width.shape[:-1], N_NODES) for part in (slope, rest))
     size = 1 / (1 + width * np.abs(a))
-    system = size[..., np.newaxis] * (np.eye(N_NODES) - (width * a)[..., np.newaxis] * INTEGRALS[:-1])
+    # in one and the same room: of many designs it is too large to be kept near
+    system = (width * a)[..., np.newaxis] * INTEGRALS[:-1]
+    np.subtract(np.eye(N_NODES), system, out=system)
+    system *= size[..., np.newaxis]
     solved = np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
     of_start, of_rest = solved[..., 0], solved[..., 1]
     grows, gains = mesh.width * (of_start @ INTEGRALS[-1]), mesh.width * (of_rest @ INTEGRALS[-1])
@@ -137,23 +140,30 @@ def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base
         jumps = (np.roll(each, -1, axis=-1) for each in _over_jumps(now, mesh, base))
         # piece and jump in turn
         steps = [np.stack(pair, axis=-1).reshape(len(base), -1) for pair in zip(steps, jumps, strict=True)]
-    starts, growth = zip(*map(_repeated, *(each.tolist() for each in steps)), strict=True)
-    at_start = np.array(starts)[:, :: steps[0].size // grows.size]
+    columns = (each.T if len(base) > 1 else each[0].tolist() for each in steps)
+    starts, growth = _repeated(*columns)
+    at_start = np.stack(starts, axis=-1).reshape(len(base), -1)[:, :: steps[0].size // grows.size]
     slopes = of_start * at_start[..., np.newaxis] + of_rest
     found = at_start[..., np.newaxis] + width * (slopes @ INTEGRALS[:-1].T)
-    return _LinearCycle(found.reshape(slope.shape), at_start, slopes.reshape(slope.shape), 1 + np.array(growth))
+    return _LinearCycle(
+        found.reshape(slope.shape), at_start, slopes.reshape(slope.shape), 1 + np.atleast_1d(growth)
+    )
 
 
-def _repeated(grow: list[float], gain: list[float]) -> tuple[list[float], float]:
-    """Where y is before each step of a cycle that repeats itself, and the cycle's growth."""
+def _repeated(grow: Sequence[Any], gain: Sequence[Any]) -> tuple[list[Any], Any]:
+    """Where y is before each step of a cycle that repeats itself, and the cycle's growth; numbers, or those of designs.
+
+    Of one design plain numbers are quicker.
+    """
     growth, total = 0.0, 0.0  # of the cycle so far: its factor less 1, which of a heavy machine is next to nothing
     for own, more in zip(grow, gain, strict=True):
         growth, total = growth + (own + growth * own), total + (total * own + more)
-    begins = -total / growth if growth else np.nan
-    found: list[float] = []
+    begins = np.where(growth == 0, np.nan, np.divide(-total, growth))
+    begins = begins if begins.ndim else float(begins)
+    found: list[Any] = []
     for own, more in zip(grow, gain, strict=True):
         found.append(begins)
-        begins += begins * own + more
+        begins = begins + (begins * own + more)
     return found, growth
 
 

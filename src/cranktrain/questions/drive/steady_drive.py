@@ -123,8 +123,8 @@ def steady_cycles(
     """
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
     drives = [
-        DriveInTurn(machines.each[design], motor.of_design(design), design, gearing, is_held=motor.is_free(design))
-        for design, gearing in enumerate(drive.gearings)
+        DriveInTurn(machines.each[design], own, design, gearing, is_held=own.is_free(0))
+        for design, (own, gearing) in enumerate(zip(motor.of_each(), drive.gearings, strict=True))
     ]
     each = all_settled(drives, machines, [speed if speed > 0 else None for speed in held.tolist()])
     return SteadyCycles(tuple(turning for turning, _found in each), tuple(found for _turning, found in each), held)

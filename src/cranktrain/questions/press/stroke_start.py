@@ -89,7 +89,7 @@ def _run(
     end = float(runs[-1].end.time)
     even = np.linspace(0.0, end, _N_SAMPLES)
     whole_time = np.unique(np.concatenate([*(run.times for run in runs), even]))
-    asked = wanted_times(asked_for, interval, interval_text, end)
+    asked = wanted_times(asked_for, interval, interval_text, end, even)
     each = np.union1d(whole_time, asked)
     curves = _curves(case, _states(runs, each))
     whole = at_times(curves, np.searchsorted(each, whole_time))

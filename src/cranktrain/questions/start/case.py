@@ -120,6 +120,11 @@ class StartCase:
     cycle_time: float
 
     @cached_property
+    def motor_numbers(self) -> Any:
+        """Of the motor, plain, as its kernels take them; nothing without one."""
+        return () if self.motor is None else self.motor.row(0)
+
+    @cached_property
     def is_to_settle(self) -> bool:
         """Whether it ends where it runs as it will, as nothing else is asked for."""
         start = self.start

@@ -112,7 +112,7 @@ def _ready(*each: Array, is_compiled: bool) -> Iterator[Array | list[float]]:
 def motor_torque(case: StartCase, time: Array, speed: Array, *, is_compiled: bool = False) -> Array:
     """Of the motor at times and speeds of the crank, as it is switched. [N·m]"""
     numbers = Switching(
-        () if case.motor is None else case.motor.row(0),
+        case.motor_numbers,
         case.start.motor_off,
         case.start.motor_reversed,
         0.0,

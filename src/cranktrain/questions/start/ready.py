@@ -7,6 +7,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.drive.declared import DeclaredBrake, DeclaredDrive
+from cranktrain.motors import DeclaredMotor
 from cranktrain.questions.drive.steady_drive import SteadyCycles
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.reduction.at_angles import has_inertia, reduced_of_each, structure_of
@@ -34,10 +35,11 @@ def start_cases(
     """Make every design ready to start; what is wrong with one stands at its place."""
     chambers = () if gas is None else _remembering(gas)
     each, are_known = list[StartCase | InputError](), _are_loads_known(machines, crank_angle)
-    for design, (gearing, is_known) in enumerate(zip(drive.gearings, are_known, strict=True)):
+    motors = (None,) * len(drive.gearings) if parts.motor is None else parts.motor.of_each()
+    for design, (gearing, motor, is_known) in enumerate(zip(drive.gearings, motors, are_known, strict=True)):
         try:
             _refuse_immovable(machines.each[design], gearing, is_load_known=is_known)
-            each.append(_start_case(gearing, parts, machines, steady, chambers, crank_angle, design))
+            each.append(_start_case(gearing, motor, parts, machines, steady, chambers, crank_angle, design))
         except InputError as error:
             each.append(error)
     return StartCases(tuple(each))
@@ -57,6 +59,7 @@ def _refuse_immovable(machine: ReducedMachine, gearing: Gearing, *, is_load_know
 
 def _start_case(
     gearing: Gearing,
+    motor: DeclaredMotor | None,
     parts: MovingParts,
     machines: ReducedMachines,
     steady: SteadyCycles | None,
@@ -78,7 +81,7 @@ def _start_case(
         rows=rows,
         cycle=machines.cycle,
         gearing=gearing,
-        motor=None if parts.motor is None else parts.motor.of_design(design),
+        motor=motor,
         start=start,
         interval_text=parts.start.texts.get("interval", ""),
         brake=brake,

@@ -96,10 +96,12 @@ def ran_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool) -> R
     first = list(_runs(case, method, _NO_TIMES, np.inf, asked_for.progress, keeps_steps=True))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
-    asked = wanted_times(asked_for, case.start.interval, case.interval_text, end)
+    even = np.linspace(0.0, end, _N_SAMPLES)
+    asked = wanted_times(asked_for, case.start.interval, case.interval_text, end, even)
     ends = np.concatenate([found.steps[:, :2] + np.array([span.start, 0.0]) for span, found in first])
     close = close_times(case, ends, is_compiled=method.is_compiled)
-    samples = each_once(np.sort(np.concatenate([np.linspace(0.0, end, _N_SAMPLES), asked, close]), kind="stable"))
+    times = [even, close] if asked is even else [even, asked, close]
+    samples = each_once(np.sort(np.concatenate(times), kind="stable"))
     if all(found.tells_within for _span, found in first):
         runs = [(span, found.sampled(_within(span, samples), is_compiled=method.is_compiled)) for span, found in first]
     else:
@@ -110,15 +112,15 @@ def ran_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool) -> R
 _NO_TIMES = np.empty(0)
 
 
-def wanted_times(asked: StartAsked, interval: float, text: str, end: float) -> Array:
-    """Times at which curves are wanted, none after the end: those asked for, else by the file's interval. [s]"""
+def wanted_times(asked: StartAsked, interval: float, text: str, end: float, even: Array) -> Array:
+    """Times at which curves are wanted, none after the end: those asked for, by the file's interval, else `even`. [s]"""
     if asked.times is not None:
         if np.any(asked.times > end):
             allowed = _("must be at most {end}, when it ends", end=number(end, "s"))
             raise InputError([Problem("at", number(float(np.max(asked.times)), "s"), allowed)])
         return asked.times
-    if np.isinf(interval):
-        return np.linspace(0.0, end, _N_SAMPLES)
+    if math.isinf(interval):
+        return even
     n = end / interval + 1
     if n > MOST_SAMPLES:
         allowed = _(
@@ -143,6 +145,7 @@ def _runs(
     angle, speed, now = case.start.angle + case.zero, case.start.speed, 0.0
     run, is_compiled = method
     spans, kernels = list(_spans(case)), start_kernels(case.motor, is_compiled=is_compiled)
+    breaks = tuple(_breaks(case))
     numbers: Array | list[float] = []
     machine, filled = None, case.start.gas_pressure
     while spans:
@@ -153,7 +156,7 @@ def _runs(
         if span.machine is not machine:
             numbers = numbers_from(span.machine, angle, filled, is_compiled=is_compiled)
         filled = math.nan
-        asked, train = _wanted(case, span, angle, speed, samples), _train(case, span, numbers)
+        asked, train = _wanted(case, span, angle, speed, samples, breaks), _train(case, span, numbers)
         telling = _from(span.start, progress)
         found = run(kernels, train, asked, is_compiled=is_compiled, progress=telling, keeps_steps=keeps_steps)
         yield span, found
@@ -199,10 +202,9 @@ def _breaks(case: StartCase) -> Iterator[float]:
 def _train(case: StartCase, span: PartOfRun, machine: Array | list[float]) -> DriveTrain:
     """Numbers of a span's kernels."""
     off, back, braked = _switches(case)
-    numbers = () if case.motor is None else case.motor.row(0)
     return DriveTrain(
         machine,
-        Switching(numbers, off, back, span.start),
+        Switching(case.motor_numbers, off, back, span.start),
         case.brake._replace(begins=braked - span.start),
         case.gearing,
         case.place,
@@ -214,14 +216,16 @@ def _within(span: PartOfRun, samples: Array) -> Array:
     return samples[(samples >= span.start) & (samples <= span.end)] - span.start
 
 
-def _wanted(case: StartCase, span: PartOfRun, angle: float, speed: float, samples: Array) -> Wanted:
+def _wanted(
+    case: StartCase, span: PartOfRun, angle: float, speed: float, samples: Array, breaks: Sequence[float]
+) -> Wanted:
     """What is wanted of a span."""
     return wanted(
         span.end - span.start,
         angle=angle,
         speed=speed,
         samples=_within(span, samples),
-        breaks=tuple(at - span.start for at in _breaks(case) if span.start < at < span.end),
+        breaks=tuple(at - span.start for at in breaks if span.start < at < span.end),
         corners=case.corners,
         rows=case.rows,
         period=case.cycle,
