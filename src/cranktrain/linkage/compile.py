@@ -52,11 +52,13 @@ def compiled(
     InputError
         Where Numba is not installed, with how to have it.
     """
-    return cast(Callable[Parameters, Outcome], _compiled(kernel, faster, numpy, within))
+    return cast(Callable[Parameters, Outcome], _compiled(kernel, faster, numpy, within=within))
 
 
 @cache
-def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, within: bool) -> object:
+def _compiled(
+    kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, *, within: bool
+) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     from cranktrain.extras import imported  # only for who compiles
 

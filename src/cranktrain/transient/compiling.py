@@ -25,7 +25,7 @@ def quick(
     What Numba has compiled already is taken as it is. Faster says how sums and products may be put together otherwise
     than they are written, in the words of LLVM; within, whether other compiled code alone calls it, and never Python.
     """
-    return cast(Callable[Parameters, Outcome], _quick(function, faster, within))
+    return cast(Callable[Parameters, Outcome], _quick(function, faster, within=within))
 
 
 def kept(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
@@ -41,7 +41,7 @@ def _kept(function: Any) -> Any:
 
 
 @cache
-def _quick(function: Any, faster: frozenset[str], within: bool) -> Any:
+def _quick(function: Any, faster: frozenset[str], *, within: bool) -> Any:
     if not isinstance(function, FunctionType):
         return function
     import numba

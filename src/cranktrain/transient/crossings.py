@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from cranktrain.transient.course import OUTPUT, SENSE
+from cranktrain.transient.equation import ANGLE, SPEED
 from cranktrain.transient.step import BESIDE, ROW, within
 
 NOT_PASSED = 2.0
@@ -126,7 +127,10 @@ def passed_dead_position(machine: Any, numbers: Any, course: Any, width: float, 
     before, after = first_rise(output_against, start, (course, width, numbers, machine))
     if after == NOT_PASSED:
         return NOT_PASSED, NOT_PASSED
-    low, high = state_at(course, width, before, 0), state_at(course, width, after, 0)
+    low, high = (
+        state_at(course, width, before, 1 * ANGLE),
+        state_at(course, width, after, 1 * ANGLE),
+    )
     dead = crossing(output_rate, low, high, 0.0, (numbers, machine, course.here[SENSE]))
     return crossing(angle_less, before, after, _PART_CLOSE, (course, width, dead)), dead
 
@@ -139,19 +143,19 @@ def state_at(course: Any, width: float, theta: float, part: int) -> float:
 def speed_over(theta: float, parts: Any) -> float:
     """By how much the speed at a part of a step is beyond a level. [rad/s]"""
     course, width, level, sign = parts
-    return sign * (state_at(course, width, theta, 1) - level)
+    return sign * (state_at(course, width, theta, 1 * SPEED) - level)
 
 
 def angle_less(theta: float, parts: Any) -> float:
     """Crank angle at a part of a step, less another. [rad]"""
     course, width, angle = parts
-    return state_at(course, width, theta, 0) - angle
+    return state_at(course, width, theta, 1 * ANGLE) - angle
 
 
 def output_against(theta: float, parts: Any) -> float:
     """x′ of what is driven at a part of a step, above 0 where it is not of the sign that it had. [m/rad or 1]"""
     course, width, numbers, machine = parts
-    output = output_rate(state_at(course, width, theta, 0), (numbers, machine, course.here[SENSE]))
+    output = output_rate(state_at(course, width, theta, 1 * ANGLE), (numbers, machine, course.here[SENSE]))
     return -output if course.here[OUTPUT] > 0 else output
 
 

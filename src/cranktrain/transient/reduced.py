@@ -111,6 +111,8 @@ class ReducedMachine(NamedTuple):
 _N_PIECES, _WIDTH, _N_LOADS, _N_CHAMBERS, _PIECES, _LOADS, _POINTS, _CURVES, _CHAMBERS, _MEMORY = range(10)
 """What stands first in the numbers of a machine for its kernel: how many there are, and where each begins."""
 _HEAD = 10
+_OUT, _BACK = 1, 2
+"""Columns of points: sizes on the way out, and back."""
 _N_FIELDS, _N_POINT, _N_CHAMBER, _N_HELD = len(ReducedLoad._fields), 3, len(ReducedChamber._fields), 2
 
 
@@ -257,12 +259,12 @@ def _size_of(numbers: Any, load: int, row: int, x: float, angle: float, speed: f
         return numbers[load + SIZE] * by_speed
     shown = (angle - numbers[load + ORIGIN]) % numbers[load + PERIOD]
     if law == BY_ANGLE:
-        return by_speed * _between(numbers, load, shown, 1)
+        return by_speed * _between(numbers, load, shown, 1 * _OUT)
     if law == BY_CURVE:
         return by_speed * _on_curve(numbers, load, shown)
     place = value_of(numbers, row + int(numbers[load + PLACE]) * (DEGREE + 1), x)
     travel = numbers[load + COUNTS] * place - numbers[load + ORIGIN]
-    return _between(numbers, load, travel, 1 if sense >= 0 else 2)
+    return _between(numbers, load, travel, _OUT if sense >= 0 else _BACK)
 
 
 def _power(base: float, exponent: float) -> float:
@@ -280,7 +282,7 @@ def _between(numbers: Any, load: int, at: float, column: int) -> float:
         return numbers[first + column]
     if at >= numbers[first + high * _N_POINT]:
         return numbers[first + high * _N_POINT + column]
-    low = _last_before(numbers, first, _N_POINT, high, at)
+    low = _last_before(numbers, first, 1 * _N_POINT, high, at)
     one, other = first + low * _N_POINT, first + (low + 1) * _N_POINT
     share = (at - numbers[one]) / (numbers[other] - numbers[one])
     return numbers[one + column] + share * (numbers[other + column] - numbers[one + column])
@@ -289,7 +291,7 @@ def _between(numbers: Any, load: int, at: float, column: int) -> float:
 def _on_curve(numbers: Any, load: int, at: float) -> float:
     """A load's curve at an angle of its period."""
     first = int(numbers[_CURVES]) + int(numbers[load + FIRST]) * CURVE_WIDTH
-    piece = first + _last_before(numbers, first, CURVE_WIDTH, int(numbers[load + N_POINTS]), at) * CURVE_WIDTH
+    piece = first + _last_before(numbers, first, 1 * CURVE_WIDTH, int(numbers[load + N_POINTS]), at) * CURVE_WIDTH
     return value_of(numbers, piece + 2, 2 * (at - numbers[piece]) / numbers[piece + 1] - 1)
 
 

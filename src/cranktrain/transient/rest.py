@@ -8,7 +8,7 @@ from cranktrain.transient.course import IS_FRESH, SAMPLE, SENSE, TIME, note
 from cranktrain.transient.endings import AT_REST, GOING, HELD, LINKS_OPEN, SET_OFF, STALLED, TIME_OUT
 from cranktrain.transient.equation import HEAT, is_open
 from cranktrain.transient.law import accelerated
-from cranktrain.transient.step import N_STATE
+from cranktrain.transient.step import N_STATE, ROW
 
 REST_LOOKS = 400
 """At what is yet to come, where motor or brake depend on the time."""
@@ -90,9 +90,9 @@ def set_off(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, tabl
     here[SENSE] = sense_of_start(time, angle, kernels, train, corners, period)
     if here[SENSE] != 0.0:
         return GOING
-    note(course, marks, HELD, time, angle, 0.0)
-    derive(time, angle, 0.0, 0.0, 0.0, course.slopes, 0, train)
-    if is_open(course.slopes, 0):
+    note(course, marks, 1 * HELD, time, angle, 0.0)
+    derive(time, angle, 0.0, 0.0, 0.0, course.slopes, 0 * ROW, train)
+    if is_open(course.slopes, 0 * ROW):
         return LINKS_OPEN
     let_go = math.inf
     if asked.limits.is_timed:
@@ -101,7 +101,7 @@ def set_off(derive: Any, kernels: Any, train: Any, asked: Any, course: Any, tabl
         return kind_of_rest(time, kernels, train, end_time)
     _wait(kernels, train, asked, course, table, let_go)
     here[SENSE] = sense_of_start(let_go, angle, kernels, train, corners, period)
-    note(course, marks, SET_OFF, let_go, angle, 0.0)
+    note(course, marks, 1 * SET_OFF, let_go, angle, 0.0)
     return TIME_OUT if let_go >= end_time else GOING
 
 

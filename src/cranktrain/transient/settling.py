@@ -5,6 +5,7 @@ from typing import Any
 from cranktrain.transient.course import BOUND, FASTEST, SAMPLE, SENSE, TIME, note
 from cranktrain.transient.endings import GOING, HELD
 from cranktrain.transient.rest import REST_LOOKS, kind_of_rest
+from cranktrain.transient.step import ROW
 
 _SLOW = 1e-3
 """Of the greatest speed so far: a crank that is quicker does not come to rest yet."""
@@ -26,15 +27,15 @@ def settles(
     docs/theory/transient, eq. (26.8).
     """
     angle, speed, end_time = state[0], state[1], asked.limits.end_time
-    _, pulled = derive(time, angle, 0.0, sense, bound, slopes, 0, train)
-    _, beside = derive(time, angle - sense * _STILL, 0.0, sense, bound, slopes, 0, train)
+    _, pulled = derive(time, angle, 0.0, sense, bound, slopes, 0 * ROW, train)
+    _, beside = derive(time, angle - sense * _STILL, 0.0, sense, bound, slopes, 0 * ROW, train)
     back = sense * (beside - pulled) / _STILL
     if not back > 0 or not pulled * pulled + speed * speed * back <= (_STILL * back) ** 2:
         return False
     for look in range(REST_LOOKS if asked.limits.is_timed else 0):
         # the end first, where a motor that is yet to pull harder does so
         at = end_time - (end_time - time) * look / REST_LOOKS
-        _, later = derive(at, angle, 0.0, sense, bound, slopes, 0, train)
+        _, later = derive(at, angle, 0.0, sense, bound, slopes, 0 * ROW, train)
         if not abs(later) <= _STILL * back:
             return False
     return True
@@ -50,5 +51,5 @@ def come_to_rest(derive: Any, kernels: Any, train: Any, asked: Any, course: Any,
     state[1], row = 0.0, course.counts[SAMPLE] - 1
     if row >= 0 and asked.samples[row] >= here[TIME]:
         table[row, 1] = 0.0
-    note(course, marks, HELD, here[TIME], state[0], 0.0)
+    note(course, marks, 1 * HELD, here[TIME], state[0], 0.0)
     return kind_of_rest(here[TIME], kernels, train, asked.limits.end_time)

@@ -129,7 +129,7 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
         train, turning, by_time = parts
         inertia = machine(angle, 0.0, sense, train.machine)[0]
         speed = np.sqrt(2.0 * energy / (inertia + turning))
-        in_time(0.0, angle, speed, sense, bound, by_time, 0, train)
+        in_time(0.0, angle, speed, sense, bound, by_time, 0 * ROW, train)
         at_motor = by_time[2] / speed / train.one.ratio
         slopes[place] = (by_time[2] - by_time[3] - by_time[4]) / speed
         slopes[place + 1] = 1.0 / speed
@@ -144,7 +144,7 @@ def _walk(kernels: Kernels, is_compiled: bool) -> Any:
         parts = (train, turning, by_time)
         state[0] = energy
         width = 1e-3
-        derive_here(angles[0], energy, 0.0, 1.0, np.inf, slopes, 0, parts)
+        derive_here(angles[0], energy, 0.0, 1.0, np.inf, slopes, 0 * ROW, parts)
         for at in range(len(angles)):
             if at > 0:
                 width = walk_to(derive_here, angles[at - 1], angles[at], width, state, ahead, slopes, parts)

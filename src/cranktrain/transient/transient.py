@@ -40,7 +40,7 @@ from cranktrain.transient.endings import (
     TIME_OUT,
     TOO_MANY_STEPS,
 )
-from cranktrain.transient.equation import is_open
+from cranktrain.transient.equation import ANGLE, SPEED, is_open
 from cranktrain.transient.rest import kind_of_rest, set_off
 from cranktrain.transient.settling import come_to_rest
 from cranktrain.transient.step import BESIDE, N_STATE, ROW, error_of, integrate_along, take_step, within
@@ -130,12 +130,12 @@ def _begin_phase(derive: Any, kernels: Any, train: Any, asked: Any, course: Any,
     here[BOUND] = corner_ahead(state[0], sense, asked.corners, asked.period)
     while counts[BREAK] < len(asked.breaks) and asked.breaks[counts[BREAK]] <= here[TIME]:
         counts[BREAK] += 1
-    _, grown = derive(here[TIME], state[0], state[1], sense, here[BOUND], course.slopes, 0, train)
+    _, grown = derive(here[TIME], state[0], state[1], sense, here[BOUND], course.slopes, 0 * ROW, train)
     if grown != grown:
-        return LINKS_OPEN if is_open(course.slopes, 0) else GEARING_JAMS
+        return LINKS_OPEN if is_open(course.slopes, 0 * ROW) else GEARING_JAMS
     output = course.slopes[BESIDE]
     if output * here[OUTPUT] < 0:  # a corner that is a dead position too lies between two phases
-        note(course, marks, DEAD_POSITION, here[TIME], state[0], state[1])
+        note(course, marks, 1 * DEAD_POSITION, here[TIME], state[0], state[1])
     here[OUTPUT] = output
     if here[WIDTH] == 0.0:
         here[WIDTH] = _first_width(abs(state[1]), abs(grown), asked.limits.end_time)
@@ -174,7 +174,7 @@ def _go_a_step(
     if landing != AT_TIME:
         landing = AT_CORNER if abs(ahead[0] - bound) <= _AT * beside(ahead[0]) else NOWHERE
     theta, event, level = _first_event(limits, course, width)
-    if sense * (state_at(course, width, theta, 0) - bound) > _AT * beside(ahead[0]):
+    if sense * (state_at(course, width, theta, 1 * ANGLE) - bound) > _AT * beside(ahead[0]):
         return try_shorter(course, width, 0.5, limits.end_time)
     if event < 0 and ahead[1] * sense < 0:  # it sets off the other way: nearer to where it stands
         reason = try_shorter(course, width, 0.25, limits.end_time)
@@ -182,7 +182,7 @@ def _go_a_step(
     integrate_along(width, course.state, slopes, ahead)
     _note_on_the_way(derive, kernels, train, limits, course, width, theta, marks)
     if event >= 0:
-        width = step_to(derive, train, course, theta, width, 1, level)
+        width = step_to(derive, train, course, theta, width, 1 * SPEED, level)
         if course.trial[1] != course.trial[1]:  # the whole step has slopes, and this one has not
             return GEARING_JAMS
         _sample(asked.samples, course, course.again, width, table, steps)
@@ -236,8 +236,8 @@ def _width_to_corner(derive: Any, course: Any, width: float, train: Any) -> floa
 def _error(course: Any, width: float, tolerance: float) -> float:
     """Error of a step in parts of what is allowed, eq. (26.12); NaN where there are no slopes."""
     fastest = max(course.here[FASTEST], abs(course.ahead[1]))
-    of_angle = error_of(course.slopes, width, 0) / tolerance
-    of_speed = error_of(course.slopes, width, 1) / (tolerance * fastest + 1e-300)
+    of_angle = error_of(course.slopes, width, 1 * ANGLE) / tolerance
+    of_speed = error_of(course.slopes, width, 1 * SPEED) / (tolerance * fastest + 1e-300)
     # without slopes the speed's is NaN, with which no comparison holds
     return of_angle if of_speed <= of_angle else of_speed
 
@@ -280,14 +280,14 @@ def _note_on_the_way(
         level = here[SENSE] * limits.target_speed
         reached = passed_level(course, width, level, here[SENSE])
         if reached <= theta:
-            part = _step_on_the_way(derive, train, course, reached, width, 1, level)
-            note(course, marks, SPEED_PASSED, here[TIME] + part, trial[0], trial[1])
+            part = _step_on_the_way(derive, train, course, reached, width, 1 * SPEED, level)
+            note(course, marks, 1 * SPEED_PASSED, here[TIME] + part, trial[0], trial[1])
     start = 0.0
     while start < theta and may_pass_dead_position(course):
         start, dead = passed_dead_position(kernels.machine, train.machine, course, width, start)
         if start <= theta:
-            part = _step_on_the_way(derive, train, course, start, width, 0, dead)
-            note(course, marks, DEAD_POSITION, here[TIME] + part, trial[0], trial[1])
+            part = _step_on_the_way(derive, train, course, start, width, 1 * ANGLE, dead)
+            note(course, marks, 1 * DEAD_POSITION, here[TIME] + part, trial[0], trial[1])
             here[OUTPUT] = -here[OUTPUT]
 
 
@@ -341,12 +341,12 @@ def _after_event(event: int, limits: Any, course: Any, marks: Any) -> int:
     if event == OVER:
         return OVERSPEED
     if event == REACHED:
-        note(course, marks, SPEED_PASSED, here[TIME], state[0], state[1])
+        note(course, marks, 1 * SPEED_PASSED, here[TIME], state[0], state[1])
         return SPEED_REACHED
     state[1], here[SENSE], here[WIDTH] = 0.0, 0.0, 0.0
     counts[REVERSALS] += 1
     counts[IS_FRESH] = 1
-    note(course, marks, REVERSAL, here[TIME], state[0], 0.0)
+    note(course, marks, 1 * REVERSAL, here[TIME], state[0], 0.0)
     return SWINGS if counts[REVERSALS] >= limits.most_reversals else GOING
 
 
