@@ -1,6 +1,6 @@
 """The equation of motion over a cycle at Gauss's points: Newton's method for the cycle that repeats itself."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -150,7 +150,7 @@ def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base
     )
 
 
-def _repeated(grow: Sequence[Any], gain: Sequence[Any]) -> tuple[list[Any], Any]:
+def _repeated(grow: Iterable[Any], gain: Iterable[Any]) -> tuple[list[Any], Any]:
     """Where y is before each step of a cycle that repeats itself, and the cycle's growth; numbers, or those of designs.
 
     Of one design plain numbers are quicker.

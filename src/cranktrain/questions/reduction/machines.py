@@ -111,7 +111,11 @@ def reduced_machines(
     )
     cycle = crank_angle.cycle
     curves = [*_gas_over_cycle(loaded, remembering, of_all.whole, cycle), *_friction(loaded, of_all.whole, cycle)]
-    extremes = cache(lambda polynomials: extremes_over_turn(np.frombuffer(polynomials).reshape(-1, DEGREE + 1)))
+
+    @cache
+    def extremes(polynomials: bytes) -> tuple[float, float]:
+        return extremes_over_turn(np.frombuffer(polynomials).reshape(-1, DEGREE + 1))
+
     each = (
         ReducedMachine(
             own.reshape(len(own), -1),
