@@ -12,7 +12,7 @@ ROW = N_STATE + 1
 """How many numbers of a stage stand in a row.
 
 A place or a kind that is given to a function as a whole number, and not as a product, would have Numba compile that
-function anew for each: all that is called by it, too, takes a fifth of the time in which a run is compiled.
+function anew for each number, and with it all that calls it.
 """
 
 Derive: TypeAlias = Callable[[float, float, float, float, float, Any, int, Any], tuple[float, float]]

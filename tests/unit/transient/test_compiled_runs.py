@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cranktrain.transient import endings
-from cranktrain.transient.equation import DriveTrain, Kernels, no_brake, no_heat
+from cranktrain.transient.equation import DriveTrain, Kernels, joined, no_brake, no_heat
 from cranktrain.transient.gearing import stages
 from cranktrain.transient.runs import run, wanted
 
@@ -90,3 +90,10 @@ def test_steps_tell_the_states_within_as_the_run_writes_them_down():
         np.testing.assert_array_equal(found.time, sampled.time)
         np.testing.assert_array_equal(found.states, sampled.states)
         assert not sampled.tells_within  # of which no steps were kept
+
+
+def test_slopes_are_compiled_once():
+    """Whichever stage they are of: all that a run is made of has them in it."""
+    pytest.importorskip("numba")
+    both(wanted(0.2, angle=1.0, speed=3.0), inertia=INERTIA)
+    assert len(joined(KERNELS, True).derive.signatures) == 1

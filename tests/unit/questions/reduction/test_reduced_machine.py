@@ -5,7 +5,7 @@ import pytest
 from tests.validation.test_drive import CAGE, LOSSY, table
 
 import cranktrain as ct
-from cranktrain.questions.reduction.at_angles import reduced_at
+from cranktrain.questions.reduction.at_angles import reduced_at, reduced_of_each
 from cranktrain.questions.reduction.machines import ReducedMachines
 from cranktrain.questions.reduction.smooth import smooth_pieces
 
@@ -110,3 +110,20 @@ def test_slopes_of_polynomials_have_hardly_more_rounding_than_values():
     np.testing.assert_allclose(slope, np.sin(2 * angle), rtol=0, atol=1e-12)
     rise = pieces @ (1.0 - (-1.0) ** np.arange(pieces.shape[1]))
     assert abs(np.sum(rise)) < 1e-14
+
+
+def test_designs_that_differ_in_their_drives_alone_have_one_machine():
+    """And the torque of each is what it is of that machine alone."""
+    name, ratio, radius = "tilting_table", "drive.stage[0].ratio", "mechanism.crank_radius"
+    machine = ct.load(name)
+    longer = {radius: f"{1.01 * machine.mechanism.crank_radius.si!r} m"}
+    result = ct.run([machine.with_(one) for one in ({ratio: 40}, {ratio: 30}, {ratio: 40, **longer})])
+    each = next(one for one in result.outcomes if isinstance(one, ReducedMachines)).each
+    assert each[0] is each[1]
+    assert each[0] is not each[2]
+    angle = np.stack([_phi(result)] * 3)
+    together, which = reduced_of_each(each, angle), [0, 0, 2]
+    for design, own in enumerate(which):
+        alone = reduced_at(each[own], angle[own])
+        np.testing.assert_array_equal(together.inertia[design], alone.inertia)
+        np.testing.assert_array_equal(together.load[design], alone.load)
