@@ -56,9 +56,7 @@ def compiled(
 
 
 @cache
-def _compiled(
-    kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, *, within: bool
-) -> object:
+def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, *, within: bool) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     from cranktrain.extras import imported  # only for who compiles
 

@@ -145,9 +145,7 @@ def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base
     at_start = np.stack(starts, axis=-1).reshape(len(base), -1)[:, :: steps[0].size // grows.size]
     slopes = of_start * at_start[..., np.newaxis] + of_rest
     found = at_start[..., np.newaxis] + width * (slopes @ INTEGRALS[:-1].T)
-    return _LinearCycle(
-        found.reshape(slope.shape), at_start, slopes.reshape(slope.shape), 1 + np.atleast_1d(growth)
-    )
+    return _LinearCycle(found.reshape(slope.shape), at_start, slopes.reshape(slope.shape), 1 + np.atleast_1d(growth))
 
 
 def _repeated(grow: Iterable[Any], gain: Iterable[Any]) -> tuple[list[Any], Any]:

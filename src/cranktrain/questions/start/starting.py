@@ -113,7 +113,7 @@ _NO_TIMES = np.empty(0)
 
 
 def wanted_times(asked: StartAsked, interval: float, text: str, end: float, even: Array) -> Array:
-    """Times at which curves are wanted, none after the end: those asked for, by the file's interval, else `even`. [s]"""
+    """Times at which curves are wanted, up to the end: those asked for, by the file's interval, else `even`. [s]"""
     if asked.times is not None:
         if np.any(asked.times > end):
             allowed = _("must be at most {end}, when it ends", end=number(end, "s"))
