@@ -70,7 +70,7 @@ export class MachinePage {
   private readonly checked = html("div", {});
   private readonly toMind = html("div", {});
   private readonly differ = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
-  private readonly others = html("button", { type: "button", class: "differ", "aria-pressed": "false" });
+  private readonly others = html("button", { type: "button", class: "differ all-pistons", "aria-pressed": "false" });
   private readonly othersHint = html("p", { class: "note others-hint", hidden: "" });
   /** Curves of other pistons that were asked for last, and beside which content. */
   private otherCurves: { readonly beside: TabContent; readonly found: PageOthers } | null = null;

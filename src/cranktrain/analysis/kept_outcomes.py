@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple, TypeVar, final
 
 from cranktrain.layout.question import Stage
-from cranktrain.machine import Machine
 from cranktrain.numerics.sameness import is_same
 
 Part = TypeVar("Part")
@@ -116,8 +115,3 @@ class KeptOutcomes:
         """Keep what a stage gave."""
         self._kept[stage.gives] = _Kept(outcome, object(), stage, given, telling)
         return outcome
-
-
-def kept_outcomes(machine: Machine) -> KeptOutcomes | None:
-    """Give what stages gave of machines from which one comes by `with_`; None where it comes from none."""
-    return machine.alike.setdefault(KeptOutcomes, KeptOutcomes()) if "alike" in vars(machine) else None

@@ -5,12 +5,11 @@ from copy import copy
 from dataclasses import is_dataclass
 from functools import cache, partial
 from threading import RLock
-from typing import Any, NamedTuple, Self, cast, final
+from typing import TYPE_CHECKING, Any, NamedTuple, Self, cast, final
 
 import numpy as np
 
 from cranktrain.analysis.grids import are_wide, coarse_curves, has_curves, with_curves
-from cranktrain.analysis.kept_outcomes import KeptOutcomes
 from cranktrain.analysis.shapes import refuse_misshapen
 from cranktrain.analysis.stages import ordered, spoken
 from cranktrain.how_far import say_how_far
@@ -21,13 +20,16 @@ from cranktrain.mechanisms.kind import Kind
 from cranktrain.motion import Array
 from cranktrain.saying.catalogue import entries
 
+if TYPE_CHECKING:
+    from cranktrain.analysis.kept_outcomes import KeptOutcomes
+
 Labels = Mapping[str, tuple[str, ...]]
 
 
 class StageRun:
     """Stages of some parts, each run when what it gives is asked for; nobody asks for what others lack."""
 
-    def __init__(self, stages: Sequence[Stage], parts: Parts, kept: KeptOutcomes | None = None) -> None:
+    def __init__(self, stages: Sequence[Stage], parts: Parts, kept: "KeptOutcomes | None" = None) -> None:
         self._order = ordered(tuple(stages))
         self._known: dict[type, Any] = dict(parts)
         self._kept, self._own_parts, self._is_under_way = kept, set(parts), False

@@ -4,12 +4,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from functools import partial as with_arguments
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from cranktrain.analysis.grids import FACTS_STEP, has_curves, on_grid
-from cranktrain.analysis.kept_outcomes import kept_outcomes
 from cranktrain.analysis.outcomes import Finding, Outcomes, StageRun
 from cranktrain.analysis.parts import parts_of, refuse_wrong
 from cranktrain.analysis.result import Result
@@ -33,6 +32,9 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.question import Parts, Stage
 from cranktrain.layout.speed import SpeedCurve, SpeedWanted
 from cranktrain.machine import Machine
+
+if TYPE_CHECKING:
+    from cranktrain.analysis.kept_outcomes import KeptOutcomes
 
 _FINEST, _COARSEST = 0.01, 90.0
 _BY_DESIGN = 2
@@ -169,7 +171,7 @@ def _run(
     parts = _at_speed(parts_of(machines, step=FACTS_STEP), speed, steps.every, step)
     absent = lacking(steps.known, parts)
     chosen = [one for one in steps.chosen if one.outcome not in absent]
-    kept = None if has_designs else kept_outcomes(machines[0])
+    kept = None if has_designs else _kept(machines[0])
     facts = curves = StageRun(chosen, parts, kept)
     # Curves want points as close as facts, or closer: of these a coarser step takes some.
     n_between = int(np.ceil(step / FACTS_STEP - _ONE_STEP))
@@ -191,6 +193,15 @@ def _run(
         missing=missing_results(steps.told, absent),
         lacking=absent,
     )
+
+
+def _kept(machine: Machine) -> "KeptOutcomes | None":
+    """Give what stages gave of machines from which one comes by `with_`; None where it comes from none."""
+    if "alike" not in vars(machine):
+        return None
+    from cranktrain.analysis.kept_outcomes import KeptOutcomes  # most machines are run as they are
+
+    return machine.alike.setdefault(KeptOutcomes, KeptOutcomes())
 
 
 def speed_over_cycle(machine: Machine, speed: SpeedWanted) -> SpeedCurve | None:

@@ -1,4 +1,4 @@
-"""What an answer rests on, in a line: numbers of the file, equations, how far textbooks are off, what would be more."""
+"""What an answer rests on, in a line: numbers of the file, equations, how far textbooks are off."""
 
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -7,7 +7,6 @@ import numpy as np
 from cranktrain.analysis import Result
 from cranktrain.analysis.behind import tables_behind
 from cranktrain.grouping import grouped
-from cranktrain.io.asked_next import next_words
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.input_sections import inputs_in
 from cranktrain.io.machine_file import Input, inputs_of_machine
@@ -45,7 +44,7 @@ def rests_on(result: Result, title: str, rows: Iterable[AnswerLine]) -> str:
 
 
 def _pieces(result: Result, title: str, quantities: Sequence[str]) -> Iterator[str]:
-    """Say on which numbers and equations quantities rest, and what else there is to be known under their title."""
+    """Say on which numbers and equations quantities rest, and under the first title how far textbooks are off."""
     machine = result.machines[0]
     tables = tables_behind(machine, result.computed.kinds, quantities)
     inputs = tuple(inputs_in(inputs_of_machine(machine), tables))
@@ -57,9 +56,6 @@ def _pieces(result: Result, title: str, quantities: Sequence[str]) -> Iterator[s
         yield cited(page, ", ".join(dict.fromkeys(filter(None, numbers))))
     if title == machine.questions[0].title and (book := textbook_words(result)):
         yield book
-    own = [question.name for question in machine.questions if question.title == title]
-    if more := list(next_words(machine, result.worth_asking, own)):
-        yield _("to learn more: {offers}", offers=", ".join(more))
 
 
 def textbook_words(result: Result) -> str:

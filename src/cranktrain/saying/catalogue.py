@@ -8,6 +8,7 @@ from operator import attrgetter
 from string import Formatter
 from typing import Any, Literal, NamedTuple, TypeAlias
 
+from cranktrain.language import N_
 from cranktrain.language import said as _
 from cranktrain.saying.names import said_name
 
@@ -242,7 +243,10 @@ def entries(result_class: type) -> tuple[Entry, ...]:
 
 def cited(page: str, numbers: str) -> str:
     """Cite a page with the numbers of its equations, if any: `docs/theory/groups, eqs. (1.4) to (1.6)`."""
-    return f"{page}, {'eq.' if numbers.count('(') == 1 else 'eqs.'} {numbers}" if numbers else page
+    if not numbers:
+        return page
+    words = N_("{page}, eq. {numbers}") if numbers.count("(") == 1 else N_("{page}, eqs. {numbers}")
+    return _(words, page=page, numbers=numbers)
 
 
 def _name(held: str, part: str) -> str:

@@ -75,20 +75,17 @@ def port_rows(of: Telling, found: PortTiming) -> Iterator[AnswerLine]:
 
 
 def firing_rows(of: Telling, found: Firing) -> Iterator[AnswerLine]:
-    """The firing order and its intervals; where there are a maker's numbers, by these and by the file's names."""
+    """The firing order, by the maker's numbers where there are any, and its intervals."""
     names = of.labels["cylinder"]
     if len(names) == 1:
         return
-    in_file = "-".join(names[i] for i in found.order)
-    order = "-".join(found.numbers) or in_file
+    order = "-".join(found.numbers or [names[i] for i in found.order])
     intervals = of.values(found, "firing_interval")
     if np.ptp(intervals) < _SAME:
         said = _("{order}, every {interval}", order=order, interval=_degrees(float(intervals[0])))
     else:
         turns = dict.fromkeys(_degrees(float(intervals[i])) for i in found.order)
         said = _("{order}, by turns after {intervals}", order=order, intervals=", ".join(turns))
-    if order != in_file:
-        said = _("{said}; by the names of the file {names}", said=said, names=in_file)
     if found.n_choices[of.design] > 1:
         said = _("{said}; the most even of {n} choices", said=said, n=found.n_choices[of.design])
     yield worded(_("firing order"), said, quantity="firing_interval")
