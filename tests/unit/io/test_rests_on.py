@@ -57,9 +57,7 @@ def test_it_says_what_the_foot_of_the_terminal_says(capsys):
     assert main(["run", "vaz_21213"]) in (0, None)
     foot = capsys.readouterr().out
     book = re.search(r"Textbook forms: .* off", foot)[0]
-    assert f" · {book} · " in said("vaz_21213", "Motion")
-    assert "[balance] counterweights" in foot
-    assert said("vaz_21213", "Balance").endswith("to learn more: [balance] counterweights")
+    assert f" · {book}" in said("vaz_21213", "Motion")
 
 
 def test_a_number_that_is_set_anew_has_no_status():
