@@ -54,10 +54,10 @@ class StageRun:
             Given what a stage gives, with names along its dimensions; raises where nobody is to have that.
         """
         way = self._way(kinds)
-        # NaN stands for links that cannot close, and is no news.
         if self._kept is not None and not self._is_under_way:
             self._kept.forget(self._order, self._need)
         self._is_under_way = True
+        # NaN stands for links that cannot close, and is no news.
         with np.errstate(all="ignore"):
             for place, one in enumerate(way, start=1):
                 say_how_far(partial(_how_far, place, len(way), one.gives))

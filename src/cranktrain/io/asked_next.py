@@ -14,18 +14,15 @@ from cranktrain.saying.wording import all_of
 _MOST_NEEDS, _MOST_OFFERS = 2, 3
 
 
-def next_words(
-    machine: Machine, missing: Sequence[Missing], questions: Sequence[str] = QUESTIONS.names
-) -> Iterator[str]:
+def next_words(machine: Machine, missing: Sequence[Missing]) -> Iterator[str]:
     """Say what the file could say next and what that gives: what needs least first, then what a question offers first.
 
-    questions: names of those of which it is said; of all unless given. Where several keys are missing, only of a table
-    that the file has: a press is not asked for a compression ratio. What no table can say, as that there be a rod, is
-    not asked for.
+    Where several keys are missing, only of a table that the file has: a press is not asked for a compression ratio.
+    What no table can say, as that there be a rod, is not asked for.
     """
     ranked = sorted(
         (len(one.needs), rank, -place if rank else place, tuple(map(str, one.needs)), words)
-        for place, name in enumerate(questions)
+        for place, name in enumerate(QUESTIONS.names)
         for rank, (quantity, words) in enumerate(_offered(machine, name).items())
         for one in missing
         if quantity in one.results and len(one.needs) <= _MOST_NEEDS and all(map(_is_table, one.needs))

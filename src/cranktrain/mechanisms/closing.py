@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cranktrain.mechanisms.kind import Geometry, Kind, Motion, Openings, named_part, rows
 from cranktrain.motion import Array
 from cranktrain.numerics import Extreme, bracketed_roots, near_roots, smallest, turn_grid
-from cranktrain.numerics.nested import leaves, mapped
+from cranktrain.numerics.nested import each_changed, leaves, mapped
 from cranktrain.numerics.ties import first_largest_along
 
 if TYPE_CHECKING:
@@ -194,10 +194,8 @@ def _about_least(kind: Kind[Motion, Geometry], geometry: Geometry) -> Array:
     is_unclear = (least >= 0) & (least < bend)
     if np.any(is_unclear):
         shape = (*least.shape, 1)
-        flat = mapped(lambda _name, value: np.broadcast_to(value, shape)[is_unclear], geometry)
-        least[is_unclear] = smallest(lambda phi: kind.gap(phi, flat), grid=_SCAN_GRID, samples=gaps[is_unclear]).value[
-            ..., 0
-        ]
+        own = each_changed(lambda value: np.broadcast_to(value, shape)[is_unclear], geometry)
+        least[is_unclear] = _least_gap(kind, own, _SCAN_GRID, gaps[is_unclear]).value[..., 0]
     return least
 
 
@@ -227,9 +225,11 @@ def changed(lengths: Sequence[str], geometry: Geometry, way: Way, change: Array)
     return mapped(scaled, geometry)
 
 
-def _least_gap(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array = _GRID) -> Extreme:
-    """By how much the links close where they do so least, over a turn."""
-    return smallest(lambda phi: kind.gap(phi, geometry), grid=grid)
+def _least_gap(
+    kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array = _GRID, gaps: Array | None = None
+) -> Extreme:
+    """By how much the links close where they do so least, over a turn; `gaps`: on the grid, where they are known."""
+    return smallest(lambda phi: kind.gap(phi, geometry), grid=grid, samples=gaps)
 
 
 def _rounding(kind: Kind[Motion, Geometry], geometry: Geometry) -> Array:
