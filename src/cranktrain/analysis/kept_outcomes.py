@@ -90,19 +90,22 @@ class KeptOutcomes:
         Who moves a slider changes the same again and again. What nobody compares with goes all at once, before anything
         else comes: that then finds its place in the processor's cache.
         """
+        marks: dict[type, object] = {}
         for stage in stages:
             before = self._kept.get(stage.gives)
             if before is None or before.stage is not stage or not before.telling:
                 continue
-            found = ((name, need, known(need)) for name, need in stage.needs.items())
-            given = {name: self._mark(need, self._held(need) if one is None else one) for name, need, one in found}
-            if before.changed(given) == before.telling:
-                self._kept[stage.gives] = before._replace(held=_GONE, mark=object())
+            for need in stage.needs.values():
+                if need not in marks:
+                    marks[need] = self._mark_now(need, known(need))
+            if before.changed({name: marks[need] for name, need in stage.needs.items()}) == before.telling:
+                marks[stage.gives] = mark = object()
+                self._kept[stage.gives] = before._replace(held=_GONE, mark=mark)
 
-    def _held(self, kind: type) -> object:
-        """Give what is kept."""
+    def _mark_now(self, kind: type, known: object | None) -> object:
+        """The mark of a part that is known, or else of what is kept."""
         kept = self._kept.get(kind)
-        return None if kept is None else kept.held
+        return self._mark(kind, known) if known is not None else None if kept is None else kept.mark
 
     def _mark(self, kind: type, found: object) -> object:
         """The mark of what a stage is given; of what is not kept, or no more, the thing itself."""

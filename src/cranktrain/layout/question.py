@@ -127,7 +127,7 @@ class Stage:
             return RESULT
         return CALCULATOR if _can_be_asked(self.gives) else HAND_OVER
 
-    @property
+    @cached_property
     def needs(self) -> Mapping[str, type]:
         """Type of every parameter."""
         return needs_of(self.function).types
