@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from cranktrain.analysis.grids import FACTS_STEP
 from cranktrain.analysis.parts import parts_of
@@ -20,6 +20,8 @@ from cranktrain.paths import is_table, path_text
 from cranktrain.saying.catalogue import cited, entries
 
 _CITED = re.compile(r"(docs/theory/[\w-]+)(?:, eqs?\. (\([\d.]+\)(?:(?:,| to| and|, and) \([\d.]+\))*))?")
+_MOST_TABLES = 4096
+"""Of parts of machines whose files have the same tables, of which it is kept what these are."""
 _ANY = "NAME"
 """In the name of a table, for those of all names."""
 
@@ -68,10 +70,9 @@ def pipeline(
     way = ordered(leading_to([one for one in stages if one.outcome not in absent], [giving.gives]))
     given, by_any = {one.gives for one in way}, {one.gives for one in stages}
     is_known = {one: one in given or (one not in by_any and (parts is None or one in parts)) for one in _needs(way)}
+    there = None if declared_tables is None else _there(declared_tables)
     declared = {
-        part: _tables(tables_of(part), declared_tables)
-        for part, known in is_known.items()
-        if known and part not in given
+        part: _tables(tables_of(part), there) for part, known in is_known.items() if known and part not in given
     }
     return Pipeline(
         entry,
@@ -94,7 +95,8 @@ def tables_behind(machine: Machine, there: Iterable[type], quantities: Iterable[
         Names in the catalogue.
     """
     parts = _parts_behind(stages_for(machine), frozenset(there), tuple(quantities))
-    found = (_tables(tables_of(part), machine.declared) for part in parts)
+    declared = _there(machine.declared)
+    found = (_tables(tables_of(part), declared) for part in parts)
     return frozenset(table.strip("[]") for tables in found for table in tables)
 
 
@@ -150,13 +152,25 @@ def _place(thing: Callable[..., Any]) -> Place:
     return Place(file.as_posix(), first + above)
 
 
-def _tables(patterns: Sequence[str], declared: Mapping[str, Any] | None) -> tuple[str, ...]:
+class _There(NamedTuple):
+    """What a machine's file has: its keys, and the paths of all tables."""
+
+    keys: tuple[str, ...]
+    tables: tuple[tuple[str, ...], ...]
+
+
+def _there(declared: Mapping[str, Any]) -> _There:
+    """Look what a machine's file has."""
+    return _There(tuple(declared), tuple(_paths(declared)))
+
+
+@lru_cache(maxsize=_MOST_TABLES)
+def _tables(patterns: tuple[str, ...], there: _There | None) -> tuple[str, ...]:
     """Name tables as they are in general, or those that a file has: `[bank.L.mechanism]` for `[mechanism]`."""
-    if declared is None:
-        return tuple(patterns)
-    there = list(_paths(declared))
-    found = [f"[{path_text(path)}]" for pattern in patterns for path in there if _is_of(pattern, path)]
-    return tuple(dict.fromkeys((*(name for name in patterns if name in declared), *found)))
+    if there is None:
+        return patterns
+    found = [f"[{path_text(path)}]" for pattern in patterns for path in there.tables if _is_of(pattern, path)]
+    return tuple(dict.fromkeys((*(name for name in patterns if name in there.keys), *found)))
 
 
 def _paths(declared: Mapping[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:

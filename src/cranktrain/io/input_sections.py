@@ -1,6 +1,7 @@
 """What a machine's results rest on, as sections: the numbers of its file, and where they are from."""
 
 from collections.abc import Iterable, Iterator, Sequence, Set
+from functools import lru_cache
 
 from cranktrain.io.description import counted_by_status
 from cranktrain.io.machine_file import Input, MachineFile, inputs_of
@@ -11,6 +12,8 @@ from cranktrain.saying.sections import Part, Rows, ShownSection, section
 
 _OF_A_BANK = 2
 """Keys in the path of a bank, of which nothing below is its own."""
+_MOST_PATHS = 4096
+"""Of numbers that are looked for again and again."""
 
 _LISTED = ("assumed", "fitted")
 """Status of numbers that nobody measured: each of them is named."""
@@ -37,13 +40,16 @@ def inputs_behind(file: MachineFile, found: BehindQuantity) -> Iterator[Input]:
 
 def inputs_in(inputs: Iterable[Input], tables: Set[str]) -> Iterator[Input]:
     """Of numbers of a file those that stand in some tables, or in what these have."""
-    for one in inputs:
-        path = one.path.partition("[")[0].split(".")
-        above = [".".join(path[:length]) for length in range(1, len(path) + 1)]
-        # Of a bank or a shaft its own keys; of what else has a name all that stands in it.
-        own = above if path[0] not in ("bank", "shaft") else [above[-2], *above[_OF_A_BANK:]]
-        if not tables.isdisjoint(own):
-            yield one
+    return (one for one in inputs if not tables.isdisjoint(_above(one.path)))
+
+
+@lru_cache(_MOST_PATHS)
+def _above(path: str) -> tuple[str, ...]:
+    """Give what a number stands in, and itself."""
+    keys = path.partition("[")[0].split(".")
+    above = [".".join(keys[:length]) for length in range(1, len(keys) + 1)]
+    # Of a bank or a shaft its own keys; of what else has a name all that stands in it.
+    return tuple(above) if keys[0] not in ("bank", "shaft") else (above[-2], *above[_OF_A_BANK:])
 
 
 def _rows(inputs: Sequence[Input]) -> Iterator[Part]:

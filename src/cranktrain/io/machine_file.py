@@ -3,6 +3,7 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from functools import partial as with_arguments
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
@@ -333,8 +334,14 @@ def _declared_at(declared: object, key: str, data: object) -> object:
 
 def _field_of(declared: object, key: str) -> str:
     """Field that a key of the file fills: of another name where the key is a word of Python's, such as `from`."""
-    fields = type(declared).model_fields if isinstance(declared, Spec) else {}
-    return next((name for name, field in fields.items() if field.alias == key), key)
+    return _named_otherwise(type(declared)).get(key, key)
+
+
+@cache
+def _named_otherwise(kind: type) -> Mapping[str, str]:
+    """Fields of a spec that have another name in the file, by this; none of what is no spec."""
+    fields = kind.model_fields if issubclass(kind, Spec) else {}
+    return {field.alias: name for name, field in fields.items() if field.alias is not None}
 
 
 def _items(declared: object) -> tuple[object, ...]:

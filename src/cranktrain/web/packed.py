@@ -2,10 +2,11 @@
 
 import json
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from functools import cache
 from math import isfinite
+from types import NoneType
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -67,6 +68,26 @@ def _names_in(kind: Any) -> tuple[str, ...]:
     return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else getattr(kind, "_fields", ())
 
 
+@cache
+def _way_to_pack(kind: Any) -> Callable[["_Packer", Any], object]:
+    """How values of a class are packed."""
+    ways: tuple[tuple[Any, Callable[[_Packer, Any], object]], ...] = (
+        ((NoneType, bool, int, str), lambda _packer, value: value),
+        (float, lambda _packer, value: value if isfinite(value) else None),
+        (kind if _names_in(kind) else (), _Packer.record),
+        (tuple | list, _Packer.each),
+        (np.ndarray, _Packer.array),
+        (Said, lambda _packer, value: str(value)),
+        (np.generic, lambda packer, value: packer.plain(value.item())),
+        (Mapping, _Packer.named),
+        (Sequence, _Packer.each),
+    )
+    for kinds, way in ways:
+        if issubclass(kind, kinds):
+            return way
+    raise TypeError(kind.__name__)
+
+
 class _Packer:
     """Collects arrays as they come."""
 
@@ -82,29 +103,22 @@ class _Packer:
 
     def plain(self, value: Any) -> object:
         """Give a value as JSON has it."""
-        match value:
-            case None | bool() | int() | str():
-                return value
-            case float():
-                return value if isfinite(value) else None
-            case _ if names := _names_in(cast(object, type(value))):
-                return {"is": type(value).__name__, **{name: self.plain(getattr(value, name)) for name in names}}
-            case tuple() | list():
-                return [self.plain(one) for one in cast("Sequence[Any]", value)]
-            case np.ndarray():
-                return self._array(cast(NDArray[Any], value))
-            case Said():
-                return str(value)
-            case np.generic():
-                return self.plain(value.item())
-            case Mapping():
-                return {str(name): self.plain(one) for name, one in cast("Mapping[object, Any]", value).items()}
-            case Sequence():
-                return [self.plain(one) for one in cast("Sequence[Any]", value)]
-            case _:
-                raise TypeError(type(value).__name__)
+        return _way_to_pack(cast(object, type(value)))(self, value)
 
-    def _array(self, array: NDArray[Any]) -> object:
+    def each(self, values: Sequence[Any]) -> object:
+        """Give each of some values."""
+        return [_way_to_pack(type(one))(self, one) for one in values]
+
+    def named(self, values: Mapping[object, Any]) -> object:
+        """Give values by their names."""
+        return {str(name): self.plain(one) for name, one in values.items()}
+
+    def record(self, value: Any) -> object:
+        """Give what a record or a named tuple holds."""
+        kind: Any = type(value)
+        return {"is": kind.__name__, **{name: self.plain(getattr(value, name)) for name in _names_in(kind)}}
+
+    def array(self, array: NDArray[Any]) -> object:
         """Give numbers their place; truths and whole numbers, of which there are few, stand where they are."""
         if array.dtype.kind != "f":
             return array.tolist()
