@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from cranktrain.errors import Problem, refuse
@@ -32,6 +32,8 @@ _NOT_BY_FILE = {Dimension.RATIO, Dimension.ANGLE, Dimension.TIME}
 """What no habit of a file changes: angles stay in degrees beside throws in turns, times in s beside delays in ms."""
 _USUAL = {"mm", "cm²", "rpm", "m/s", "m/s²", "rad/s²", "bar", "kg", "kg·m²", "N·m/rad", "K"}
 """Units that are shown anyhow."""
+_MOST_TEXTS = 4096
+"""Of numbers that are shown again and again."""
 _COUNTED_FROM = {"ati": "at", "psig": "psi", "barg": "bar"}
 """Gauge units, and those of pressures that count from nothing."""
 
@@ -168,7 +170,7 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
     >>> list(own_units(["4 in", "7 1/2 in", "20 mm", "60 psig", "2 bar", "0.9 bar", "25 kN"]).values())
     ['in']
     """
-    units = [parts.unit for text in texts if (parts := measured(text)) is not None and parts.unit]
+    units = filter(None, map(_unit_in, texts))
     written = grouped(one for unit in units for one in _measured_in(unit).items())
     found = {dimension: _most_frequent(names) for dimension, names in written.items() if dimension not in _NOT_BY_FILE}
     return {
@@ -176,6 +178,13 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
         for dimension, unit in found.items()
         if unit not in _USUAL and (dimension not in _BY_SIZE or unit in _OF_OTHER_SYSTEMS)
     }
+
+
+@lru_cache(_MOST_TEXTS)
+def _unit_in(text: str) -> str:
+    """The unit in which a number is written; none of what has none."""
+    parts = measured(text)
+    return "" if parts is None else parts.unit
 
 
 def _most_frequent(names: Iterable[str]) -> str:

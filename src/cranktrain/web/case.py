@@ -288,6 +288,7 @@ def _tables(file: MachineFile) -> tuple[NumbersOfTable, ...]:
     )
 
 
+@lru_cache(_MOST_INPUTS)
 def _table_of(path: str) -> PathParts:
     """Find the table in which a number stands: above its key, or the key of its list."""
     parts = parts_of(path)

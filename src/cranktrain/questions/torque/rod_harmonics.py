@@ -93,8 +93,10 @@ def _even_harmonics(ratio: Array, n_wanted: int) -> Array:
     middle = 1 - half_square
     quotient = np.zeros_like(known)
     quotients = np.empty((*known.shape, n_terms))
+    every = np.arange(n_terms + 1.0).reshape(-1, *np.ones(known.ndim, dtype=int))
+    lower, own, higher = -(every - 1.5) * half_square, 2 * middle * every, (every + 1.5) * half_square
     for n in range(n_terms, 1, -1):
-        quotient = -(n - 1.5) * half_square / (2 * middle * n + (n + 1.5) * half_square * quotient)
+        quotient = lower[n] / (own[n] + higher[n] * quotient)
         quotients[..., n - 1] = quotient
     # c₁/(λ c₀), which is finite at λ = 0 too.
     quotients[..., 0] = known / 2 / (2 * middle + 2.5 * half_square * quotient)
