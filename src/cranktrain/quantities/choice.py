@@ -170,7 +170,7 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
     >>> list(own_units(["4 in", "7 1/2 in", "20 mm", "60 psig", "2 bar", "0.9 bar", "25 kN"]).values())
     ['in']
     """
-    units = filter(None, map(_unit_in, texts))
+    units = filter(None, map(_unit_written, texts))
     written = grouped(one for unit in units for one in _measured_in(unit).items())
     found = {dimension: _most_frequent(names) for dimension, names in written.items() if dimension not in _NOT_BY_FILE}
     return {
@@ -181,7 +181,7 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
 
 
 @lru_cache(_MOST_TEXTS)
-def _unit_in(text: str) -> str:
+def _unit_written(text: str) -> str:
     """The unit in which a number is written; none of what has none."""
     parts = measured(text)
     return "" if parts is None else parts.unit
