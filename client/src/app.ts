@@ -238,7 +238,7 @@ class App {
       whence: (quantity) => { void this.tellWhence(quantity, found); },
       editing: this.editing(found, asked, signal),
     };
-    this.design.take(asked, found.tables, words.design);
+    this.design.take(asked, found.tables, found.varied, words.design);
     const own = [{ name: DESIGN, title: words.design.title, element: this.design.element, fit: () => { this.design.fit(); } }];
     if (this.page) this.page.take(found.machine, source, own);
     else this.page = new MachinePage(found.machine, this.view, this.address, this.colours, source, own);

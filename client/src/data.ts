@@ -13,6 +13,7 @@ export interface PageCase {
   readonly is: "PageCase";
   readonly machine: ShownMachine;
   readonly tables: readonly (NumbersOfTable)[];
+  readonly varied: string;
   readonly language: string;
   readonly languages: readonly (PageLanguage)[];
   readonly words: CaseWords;

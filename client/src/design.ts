@@ -14,8 +14,9 @@ import { said } from "./words.ts";
 const BESIDE = 0.2;
 const ALONE = 21;
 const BOTH = 15;
-/** Facts that are asked for at once. */
+/** Facts that are asked for at once, and so many of the first unless others are chosen. */
 const MOST_FACTS = 4;
+const FIRST_FACTS = 3;
 /** Between questions how far a sweep is. [ms] */
 const PAUSE = 250;
 
@@ -50,13 +51,14 @@ class Axis {
     this.path.addEventListener("change", () => { this.propose(); });
   }
 
-  take(words: DesignWords, label: string, tables: readonly NumbersOfTable[], isOptional: boolean): void {
+  /** Offer the numbers: one of them first, or, of "", nothing. */
+  take(words: DesignWords, label: string, tables: readonly NumbersOfTable[], first: string): void {
     const before = this.path.value;
     const inputs = tables.flatMap((table) => table.inputs.map((one) => ({ ...one, of: table.name })).filter((one) => typed(one.text)));
     this.texts = new Map(inputs.map((one) => [one.path, one.text]));
     const paths = inputs.map((one) => [one.path, `${one.of} ${one.name}`.trim()] as const);
-    const offered = [...(isOptional ? [["", words.nothing] as const] : []), ...paths];
-    offer(this.path, offered, this.texts.has(before) ? before : (offered[0]?.[0] ?? ""));
+    const offered = [...(first ? [] : [["", words.nothing] as const]), ...paths];
+    offer(this.path, offered, this.texts.has(before) ? before : this.texts.has(first) ? first : (offered[0]?.[0] ?? ""));
     [label, words.start, words.end, words.count].forEach((word, place) => { write(this.words[place] as HTMLElement, word); });
     if (this.path.value !== before || !this.start.value) this.propose();
   }
@@ -119,12 +121,12 @@ export class DesignTab {
     this.cancel.addEventListener("click", () => { void this.stop(); });
   }
 
-  /** Offer the numbers and the facts of what is shown. */
-  take(asked: Asked, tables: readonly NumbersOfTable[], words: DesignWords): void {
+  /** Offer the numbers of what is shown, one of them first. */
+  take(asked: Asked, tables: readonly NumbersOfTable[], varied: string, words: DesignWords): void {
     this.asked = asked;
     this.words = words;
-    this.axes[0].take(words, words.varied, tables, false);
-    this.axes[1].take(words, words.second, tables, true);
+    this.axes[0].take(words, words.varied, tables, varied);
+    this.axes[1].take(words, words.second, tables, "");
     this.facts.setAttribute("aria-label", words.wanted);
     write(this.wantedWord, words.wanted);
     write(this.compute, words.compute);
@@ -143,7 +145,7 @@ export class DesignTab {
   offer(facts: readonly OfferedFact[]): void {
     if (same(facts.map(({ name }) => name), this.boxes.map((one) => one.value))) return;
     const before = new Set(this.wanted);
-    const wanted = facts.some(({ name }) => before.has(name)) ? before : new Set(facts.slice(0, 1).map(({ name }) => name));
+    const wanted = facts.some(({ name }) => before.has(name)) ? before : new Set(facts.slice(0, FIRST_FACTS).map(({ name }) => name));
     const boxes = facts.map(({ name, title }) => {
       const box = html("input", { type: "checkbox", value: name });
       box.checked = wanted.has(name);

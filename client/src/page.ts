@@ -427,10 +427,19 @@ function inView(line: HTMLElement, one: HTMLElement): void {
 /** What is to be minded: of a long list its head, and all of it where somebody asks. */
 function minded(sentences: readonly string[]): HTMLElement[] {
   if (!sentences.length) return [];
+  const folded = new Map<string, HTMLElement>();
   const items = sentences.map((sentence) => {
-    const [head, ...rest] = sentence.split(": ");
-    if (sentence.length < LONG || !rest.length) return html("li", {}, said(sentence));
-    return html("li", {}, html("details", {}, html("summary", {}, said(head ?? ""), " …"), said(rest.join(": "))));
+    const [head = "", ...rest] = sentence.split(": ");
+    const isFolded = sentence.length >= LONG && rest.length > 0;
+    if (!isFolded) return html("li", {}, said(sentence));
+    // What begins with the same words is told under them once.
+    const more = html("p", {}, said(rest.join(": ")));
+    const before = folded.get(head);
+    before?.append(more);
+    if (before) return null;
+    const own = html("details", {}, html("summary", {}, said(head), " …"), more);
+    folded.set(head, own);
+    return html("li", {}, own);
   });
-  return [html("ul", { class: "to-mind" }, ...items)];
+  return [html("ul", { class: "to-mind" }, ...items.filter((one) => one !== null))];
 }

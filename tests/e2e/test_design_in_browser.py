@@ -29,8 +29,9 @@ def vary(page, place, path, start, end, count):
 
 
 def want(page, *names):
-    for box in page.locator(".facts input:checked").all():
-        box.uncheck()
+    chosen = page.locator(".facts input:checked")
+    while chosen.count():
+        chosen.first.uncheck()
     for name in names:
         page.locator(f".facts input[value={name}]").check()
 
@@ -53,6 +54,12 @@ def test_a_range_about_the_present_number_is_proposed(page):
     assert (start.split(" ", 1)[1], end.split(" ", 1)[1]) == (unit, unit)
     assert float(start.split(" ")[0]) == pytest.approx(0.8 * float(number), rel=1e-3)
     assert float(end.split(" ")[0]) == pytest.approx(1.2 * float(number), rel=1e-3)
+
+
+def test_who_only_asks_to_compute_sees_what_a_dimension_of_the_mechanism_changes(page):
+    assert ".mechanism." in f".{page.locator('.design .axis select').first.input_value()}"
+    compute(page)
+    assert page.locator(".swept figure").count() == 3
 
 
 def test_facts_over_one_number_are_those_of_runs_and_a_click_loads_a_design(page):

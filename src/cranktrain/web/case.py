@@ -81,6 +81,8 @@ class PageCase:
     ----------
     machine : ShownMachine
     tables : tuple of NumbersOfTable
+    varied : str
+        Path of the number that is varied first where any may be.
     language : str
         Code of that in which it is.
     languages : tuple of PageLanguage
@@ -90,6 +92,7 @@ class PageCase:
 
     machine: ShownMachine
     tables: tuple[NumbersOfTable, ...]
+    varied: str
     language: str
     languages: tuple[PageLanguage, ...]
     words: CaseWords
@@ -138,7 +141,8 @@ def packed_page(case: Case, tab: str, beside: Case | None = None, piston: str = 
     with result.in_its_units():
         page = machine_page(result, tab, _result_of(beside), piston)
         words = case_words(adds_parts=any(place.kind.additions for place in file.machine.places))
-        return packed(PageCase(page, _tables(file), spoken_language(), tuple(_languages()), words))
+        tables, varied = _tables(file), _varied_first(file)
+        return packed(PageCase(page, tables, varied, spoken_language(), tuple(_languages()), words))
 
 
 def packed_tab(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
@@ -293,6 +297,12 @@ def _table_of(path: str) -> PathParts:
     """Find the table in which a number stands: above its key, or the key of its list."""
     parts = parts_of(path)
     return parts[: max((place for place, part in enumerate(parts) if isinstance(part, str)), default=0)]
+
+
+def _varied_first(file: MachineFile) -> str:
+    """Path of a number of which much depends: of the first in the table of a mechanism that is not 0."""
+    given = [one.path for one in inputs_of(file) if one.given.si != 0.0]
+    return next((path for path in given if "mechanism" in parts_of(path)), given[0] if given else "")
 
 
 def _table_name(file: MachineFile, above: PathParts) -> str:
