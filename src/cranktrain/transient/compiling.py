@@ -5,7 +5,7 @@ from functools import cache
 from types import CellType, FunctionType
 from typing import Any, ParamSpec, TypeVar, cast
 
-from cranktrain.linkage.compile import FROM_PYTHON, WITHIN, teach_choices
+from cranktrain.linkage.compile import options_of, teach_choices
 from cranktrain.linkage.kept import fingerprint, keep
 from cranktrain.motion import chosen
 
@@ -63,9 +63,12 @@ def _quick(function: Any, faster: frozenset[str], *, within: bool) -> Any:
         copy.__qualname__ = f"{function.__qualname__}_{fingerprint([copy])}"
     # private parts are called in one place, and calls cost as many words as their arrays have
     is_part = function.__name__.startswith("_")
-    options = WITHIN if within else FROM_PYTHON
     made: Any = numba.njit(
-        error_model="numpy", nogil=True, fastmath=set(faster) or False, forceinline=is_part, **options
+        error_model="numpy",
+        nogil=True,
+        fastmath=set(faster) or False,
+        forceinline=is_part,
+        **options_of(faster, within=within),
     )
     return made(copy)
 

@@ -1,0 +1,68 @@
+"""What other compiled code alone calls is optimised once, within what Python calls, and not by itself as well.
+
+Numba optimises whatever it compiles, with all that it calls, and makes machine code of it; of what no one calls but
+compiled code all that is thrown away. A function ten calls deep is so optimised ten times.
+"""
+
+from functools import cache
+from typing import Any, NamedTuple
+
+
+class HowCompiled(NamedTuple):
+    """Options for Numba of what other compiled code alone calls, and of what Python may call."""
+
+    part: dict[str, Any]
+    whole: dict[str, Any]
+
+
+@cache
+def how_compiled() -> HowCompiled:
+    """Options for Numba under which parts are put together in the whole that calls them, and nowhere else."""
+    from numba.core import codegen, compiler
+
+    library_class: Any = codegen.JITCodeLibrary
+    compiler_class: Any = compiler.Compiler
+
+    class Part(library_class):
+        """A function alone, without what it calls, neither optimised nor made machine code of."""
+
+        def finalize(self) -> None:
+            """Leave it as it is."""
+            self._finalized = True
+
+        def get_pointer_to_function(self, name: str) -> int:
+            """Nowhere: there is no machine code."""
+            del name
+            return 0
+
+        @property
+        def codegen(self) -> "Part":
+            """Who is told what object a function has in Python."""
+            return self
+
+        def set_env(self, env_name: str, env: object) -> None:
+            """Take no notice: what Python does not call needs none."""
+
+    class Whole(library_class):
+        """A function with all that it calls."""
+
+        def add_linking_library(self, library: Any) -> None:
+            """Take in what it calls, and of parts what these call."""
+            if library in self._linking_libraries:
+                return
+            super().add_linking_library(library)
+            for each in library._linking_libraries if isinstance(library, Part) else ():
+                self.add_linking_library(each)
+
+    def compiler_to(kind: Any) -> Any:
+        class OwnCompiler(compiler_class):
+            """Numba's own, but for where it puts what it makes."""
+
+            def __init__(self, typingctx: Any, targetctx: Any, *more: Any) -> None:
+                super().__init__(typingctx, targetctx, *more)
+                self.state.library = kind(targetctx.codegen(), "own")
+                self.state.library.enable_object_caching()
+
+        return OwnCompiler
+
+    return HowCompiled({"pipeline_class": compiler_to(Part)}, {"pipeline_class": compiler_to(Whole)})
