@@ -1,7 +1,7 @@
 """Facts of starts of many designs: made ready together, run one by one or compiled, and nothing else of them kept."""
 
 import os
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from multiprocessing import parent_process
@@ -23,20 +23,29 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.questions.start.asked import StartAsked
 from cranktrain.questions.start.facts import StartFacts
-from cranktrain.questions.start.many import FACTS_OF_ENERGY, facts_of_ran
-from cranktrain.questions.start.record import RanStart, ReadyStarts, StartEvents, StartRun, numbered_events
-from cranktrain.questions.start.starting import happened, reason_of
+from cranktrain.questions.start.in_row import row_of_starts
+from cranktrain.questions.start.many import facts_of_rows, happened_in
+from cranktrain.questions.start.record import (
+    RanRows,
+    ReadyStarts,
+    StartEvents,
+    StartRun,
+    StartsInShort,
+    Told,
+    numbered_events,
+    start_events,
+)
+from cranktrain.questions.start.starting import why_ended
 from cranktrain.saying.catalogue import entries
 from cranktrain.study.facts_of_rows import FactsOfRows, Gathered
 from cranktrain.study.start import is_over_time, over_time_of_columns, over_time_of_designs
-from cranktrain.transient.equation import Kernels, joined
-from cranktrain.transient.runs import loop_of
+from cranktrain.transient.equation import Kernels
 
 FACTS_SHOWN = ("start_duration", "largest_motor_torque", "effective_motor_torque", "final_motor_heat")
 """Of starts, unless others are asked for."""
 _COMPILING, _LOADING = 20.0, 0.5
 """How long it takes to compile starts, and to load what was compiled before: from when on plain ones are longer. [s]"""
-_HANDED_OUT = 8
+_HANDED_OUT = 32
 """Designs that a thread takes at once: one by one they would wait for each other."""
 _compiled = set[Kernels]()
 """What this process has compiled."""
@@ -110,36 +119,31 @@ def _add_block(gathered: Gathered, block: _Block, wanted: Sequence[str] | None, 
         return
     ready: ReadyStarts = known[ReadyStarts]
     stages = _stages_of_facts(block.machines[block.places[0]], known, wanted)
-    in_short = ready.ran is not None and {stage.gives for stage in stages} <= {StartFacts, StartEvents}
-    outcome = partial(_in_short, ready) if in_short else partial(_outcome, ready, stages)
-    found = dict(zip(block.places, _run_each(outcome, ready.kernels, len(block.places), n_left), strict=True))
-    for place, own in found.items():
-        gathered.refused[place], gathered.ended[place] = own.refused, own.reason
-    computed = {place: own for place, own in found.items() if own.refused is None}
-    if computed:
-        _add_facts(gathered, computed, stages, wanted)
+    in_short = ready.in_short if {stage.gives for stage in stages} <= {StartFacts, StartEvents} else None
+    for designs, made in _each_made(ready, stages, len(block.places), n_left, in_short):
+        places = [block.places[design] for design in designs]
+        for place, reason in zip(places, made.reasons, strict=True):
+            gathered.refused[place], gathered.ended[place] = made.refused, reason
+        if made.refused is None:
+            _add_facts(gathered, places, made.given, stages, wanted)
 
 
 def _add_facts(
-    gathered: Gathered, found: Mapping[int, "_Outcome"], stages: Sequence[Stage], wanted: Sequence[str] | None
+    gathered: Gathered,
+    places: Sequence[int],
+    given: Mapping[type, Any],
+    stages: Sequence[Stage],
+    wanted: Sequence[str] | None,
 ) -> None:
-    """Lay facts of designs beside one another."""
-    places, starts = list(found), [own.ran for own in found.values() if own.ran is not None]
-    for at, stage in enumerate(stages):
+    """Lay facts of designs to their places."""
+    for stage in stages:
         told = {entry.name: entry for entry in entries(stage.gives) if wanted is None or entry.name in wanted}
+        home, labels = given[stage.gives], dict[str, tuple[str, ...]]()
         if stage.gives is StartEvents:
-            each = [numbered_events(*happened(one)) for one in starts] or [own.facts[at] for own in found.values()]
-            labels, values = _beside(each, told)
+            labels, values = _beside(home, told)
         else:
-            labels = dict[str, tuple[str, ...]]()
-            homes = _facts_in_short(starts, told) if starts else [own.facts[at] for own in found.values()]
-            values = {name: np.concatenate([getattr(home, name) for home in homes]) for name in told}
+            values = {name: getattr(home, name) for name in told}
         gathered.add(told, labels, values, places)
-
-
-def _facts_in_short(starts: Sequence[RanStart], told: Collection[str]) -> list[StartFacts]:
-    """Facts of starts that have run, those of energy if they are wanted."""
-    return [facts_of_ran(starts, with_energy=not FACTS_OF_ENERGY.isdisjoint(told))]
 
 
 def _beside(each: Sequence[StartEvents], told: Collection[str]) -> tuple[dict[str, tuple[str, ...]], dict[str, Array]]:
@@ -168,70 +172,85 @@ def _stages_of_facts(machine: Machine, known: Mapping[type, object], wanted: Seq
     )
 
 
-class _Outcome(NamedTuple):
-    """What became of one start: its facts, or the run that they are taken from; why it ended; why there is none."""
+class _Made(NamedTuple):
+    """What became of starts: what stages give of them, of events those of each; why they ended; why there are none."""
 
-    facts: tuple[Any, ...] = ()
-    ran: RanStart | None = None
-    reason: Words = ""
+    given: Mapping[type, Any]
+    reasons: Sequence[Words]
     refused: Problem | None = None
 
 
-def _outcome(ready: ReadyStarts, stages: Sequence[Stage], design: int, *, is_compiled: bool) -> _Outcome:
-    """Run a design, and keep its facts."""
-    try:
-        # NaN stands for links that cannot close, and is no news.
-        with np.errstate(all="ignore"):
-            run = ready.run(design, StartAsked(), is_compiled=is_compiled)
-            return _Outcome(tuple(stage.function(run) for stage in stages), reason=run.reason)
-    except InputError as error:
-        return _Outcome(refused=error.problems[0])
+def _each_made(
+    ready: ReadyStarts, stages: Sequence[Stage], n_designs: int, n_left: int, in_short: StartsInShort | None
+) -> Iterator[tuple[Sequence[int], _Made]]:
+    """Starts of all designs, some at a time: in plain Python one by one, or compiled together, on several threads."""
 
+    def alone(design: int) -> tuple[Sequence[int], _Made]:
+        try:
+            # NaN stands for links that cannot close, and is no news.
+            with np.errstate(all="ignore"):
+                if in_short is not None:
+                    return [design], _of_rows(in_short.alone(design))
+                run = ready.run(design, StartAsked())
+                given = {stage.gives: stage.function(run) for stage in stages}
+                return [design], _Made(given | {StartEvents: [start_events(run)]}, [run.reason])
+        except InputError as error:
+            return [design], _Made({}, [""], error.problems[0])
 
-def _in_short(ready: ReadyStarts, design: int, *, is_compiled: bool) -> _Outcome:
-    """Run a design, without curves."""
-    assert ready.ran is not None  # by whom it is asked
-    try:
-        with np.errstate(all="ignore"):
-            ran = ready.ran(design, is_compiled)
-            return _Outcome(ran=ran, reason=reason_of(ran))
-    except InputError as error:
-        return _Outcome(refused=error.problems[0])
-
-
-def _run_each(
-    outcome: Callable[..., _Outcome], kernels: Kernels | None, n_designs: int, n_left: int
-) -> Iterator[_Outcome]:
-    """Outcomes of all designs in their order: one by one in plain Python, or compiled by several threads."""
-    first = 0
-    if kernels is not None and kernels not in _compiled and is_there("numba"):
+    left, is_first = list(range(n_designs)), False
+    if in_short is not None and in_short.kernels not in _compiled and is_there("numba"):
         since = perf_counter()
-        yield outcome(0, is_compiled=False)
-        first = 1
-        if n_designs > 1 and _is_worth_compiling(kernels, (perf_counter() - since) * (n_left - 1)):
-            with uncollected():  # it compiles or loads: threads must not do so at once
-                second = outcome(1, is_compiled=True)
-            yield second
-            first = 2
-            _compiled.add(kernels)
-    if kernels not in _compiled:
-        yield from (outcome(design, is_compiled=False) for design in range(first, n_designs))
-        return
+        yield alone(left.pop(0))
+        is_first = _is_worth_compiling(in_short.kernels, (perf_counter() - since) * (n_left - 1))
+    if in_short is not None and (is_first or in_short.kernels in _compiled):
+        with np.errstate(all="ignore"):
+            groups = in_short.groups(left)
+            left = sorted(set(left).difference(*groups))
+            for designs, ran in _together(in_short, groups, is_first=is_first):
+                yield designs, _of_rows(ran)
+    yield from map(alone, left)
 
-    def some(begin: int) -> list[_Outcome]:
-        return [outcome(design, is_compiled=True) for design in range(begin, min(begin + _HANDED_OUT, n_designs))]
+
+def _of_rows(ran: RanRows) -> _Made:
+    """What became of starts that were run in short."""
+    each = list(happened_in(ran))
+    facts = facts_of_rows(ran, np.array([one.n_reversals for one in each], dtype=np.float64))
+    told = (Told(*own) for own in zip(*(column.tolist() for column in ran.told), strict=True))
+    reasons = [why_ended(case, own) for case, own in zip(ran.cases, told, strict=True)]
+    return _Made({StartFacts: facts, StartEvents: [numbered_events(*one) for one in each]}, reasons)
+
+
+def _together(
+    in_short: StartsInShort, groups: Sequence[Sequence[int]], *, is_first: bool
+) -> Iterator[tuple[Sequence[int], RanRows]]:
+    """Run groups of designs compiled, by several threads; the first of all alone, as it compiles or loads."""
+    each = [group[at : at + _HANDED_OUT] for group in groups for at in range(0, len(group), _HANDED_OUT)]
+    if is_first and each:
+        with uncollected():
+            first = list(in_short.together(each[0]))
+        yield from _with_places(each.pop(0), first)
+        _compiled.add(in_short.kernels)
+
+    def some(designs: Sequence[int]) -> list[RanRows]:
+        return list(in_short.together(designs))
 
     with ThreadPoolExecutor(_n_threads()) as pool:
         try:
-            for found in pool.map(some, range(first, n_designs, _HANDED_OUT)):
-                yield from found
+            for designs, ran in zip(each, pool.map(some, each), strict=True):
+                yield from _with_places(designs, ran)
         finally:
             pool.shutdown(cancel_futures=True)
 
 
+def _with_places(designs: Sequence[int], each: Sequence[RanRows]) -> Iterator[tuple[Sequence[int], RanRows]]:
+    """Rows of designs, which were told some at a time in their order, with their places."""
+    ends = np.cumsum([len(ran.cases) for ran in each]).tolist()
+    yield from ((designs[end - len(ran.cases) : end], ran) for end, ran in zip(ends, each, strict=True))
+
+
 def _is_worth_compiling(kernels: Kernels, seconds: float) -> bool:
     """Whether plain starts that take so long in all are better compiled; what is kept on disk is sooner there."""
-    return seconds > _COMPILING or (seconds > _LOADING and is_kept(loop_of(joined(kernels, True), True)))
+    return seconds > _COMPILING or (seconds > _LOADING and is_kept(row_of_starts(kernels)))
 
 
 def _n_threads() -> int:

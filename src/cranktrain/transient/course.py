@@ -41,11 +41,28 @@ class Course(NamedTuple):
 
 def course_from(start: Array, is_compiled: bool) -> Course:
     """A run that is to begin."""
-    here, counts = np.zeros(8), np.zeros(7, dtype=np.int64)
-    here[SENSE], here[FASTEST] = np.sign(start[1]), abs(start[1])
-    counts[IS_FRESH] = 1
-    arrays = (here, counts, start.copy(), np.zeros(N_STATE), np.zeros(N_STATE), np.zeros(7 * ROW), np.zeros(7 * ROW))
-    return Course(*(arrays if is_compiled else (each.tolist() for each in arrays)))
+    course = room_for_a_course()
+    put_at_start(course, start)
+    return course if is_compiled else Course(*(each.tolist() for each in course))
+
+
+def room_for_a_course() -> Course:
+    """Arrays in which a run stands."""
+    each = (np.zeros(N_STATE) for _part in range(3))
+    return Course(np.zeros(8), np.zeros(7, dtype=np.int64), *each, np.zeros(7 * ROW), np.zeros(7 * ROW))
+
+
+def put_at_start(course: Any, start: Any) -> None:
+    """Let a run begin in a state."""
+    for place in range(len(course.here)):
+        course.here[place] = 0.0
+    for place in range(len(course.counts)):
+        course.counts[place] = 0
+    for part in range(N_STATE):
+        course.state[part] = start[part]
+    course.here[SENSE] = 1.0 if start[1] > 0 else -1.0 if start[1] < 0 else 0.0
+    course.here[FASTEST] = abs(start[1])
+    course.counts[IS_FRESH] = 1
 
 
 def copied(course: Course) -> Course:

@@ -176,7 +176,7 @@ def run_implicitly(
         reason = endings.STOPPED
     going.ends.append(np.array([[time, state[1]]]))
     after = machine(state[0], state[1], sense, train.machine)[0]
-    residual, supplied = energy_account(drive, (before, after), asked.start, state)
+    residual, supplied = energy_account(turning_inertia(drive.gearing), (before, after), asked.start, state)
     ended_at_once = np.isnan(table[:, 0]) & (asked.samples == time)
     table[ended_at_once] = state
     is_there = ~np.isnan(going.table[:, 0])

@@ -155,6 +155,12 @@ def reduced_machine(angle: float, speed: float, sense: float, numbers: Any) -> A
     return inertia, slope * by_angle, torque, value_of(numbers, row + OUTPUT * (DEGREE + 1), x)
 
 
+def inertia_at(angle: float, numbers: Any) -> float:
+    """J, as `reduced_machine` gives it. [kg·m²]"""
+    row, x, _ = place_of(angle, numbers)
+    return value_of(numbers, row + INERTIA * (DEGREE + 1), x)
+
+
 def settle(angle: float, numbers: Any) -> None:
     """Let every chamber remember its gas as it is at a crank angle. [rad]"""
     row, x, _ = place_of(angle, numbers)

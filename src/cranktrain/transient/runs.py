@@ -20,7 +20,6 @@ from cranktrain.transient.course import (
     INERTIA_BEFORE,
     MARKS,
     SAMPLE,
-    SENSE,
     STEPS,
     TIME,
     Course,
@@ -32,7 +31,7 @@ from cranktrain.transient.equation import DriveTrain, Joined, Kernels, TrainNumb
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 from cranktrain.transient.step import N_STATE
 from cranktrain.transient.traced import N_TRACED, states_within
-from cranktrain.transient.transient import begin_run, run_on
+from cranktrain.transient.transient import run_to_the_end
 
 Progress: TypeAlias = Callable[[float, float, float], object]
 """(time, crank angle, speed) → anything. [s, rad, rad/s]"""
@@ -211,13 +210,17 @@ def wanted(
     start[0], start[1] = angle, speed
     times = np.sort(np.asarray(breaks, dtype=float))
     asked = np.array(() if samples is None else samples, dtype=float)
-    places = (_apart(np.asarray(each, dtype=float).tobytes(), period) for each in (corners, rows))
-    return Wanted(start, limits, asked, times, next(places), float(period), next(places))
+    return Wanted(start, limits, asked, times, each_apart(corners, period), float(period), each_apart(rows, period))
+
+
+def each_apart(corners: Array | tuple[float, ...], period: float) -> Array:
+    """Corners within a period, in their order, each once. [rad]"""
+    return _apart(np.asarray(corners, dtype=float).tobytes(), period)
 
 
 @lru_cache(maxsize=64)
 def _apart(corners: bytes, period: float) -> Array:
-    """Corners within a period, in their order, each once; many starts have the same. [rad]"""
+    """The same of their bytes: many starts have the same."""
     within = np.sort(np.mod(np.frombuffer(corners), period))
     if len(within) < 2:
         return within
@@ -318,9 +321,8 @@ def _result(
 ) -> TransientRun:
     """What became of a run whose course has ended."""
     n_samples, marks = course.counts[SAMPLE], log.marks[: course.counts[MARKS]]
-    residual, supplied = energy_account(
-        drive, (course.here[INERTIA_BEFORE], course.here[INERTIA_AFTER]), asked.start, course.state
-    )
+    inertias = course.here[INERTIA_BEFORE], course.here[INERTIA_AFTER]
+    residual, supplied = energy_account(turning_inertia(drive.gearing), inertias, asked.start, course.state)
     return TransientRun(
         reason,
         np.asarray(asked.start),
@@ -359,13 +361,13 @@ def run_all(kernels: Kernels, cases: list[tuple[DriveTrain, Wanted]], *, n_threa
     return done + [shares[place % n_threads][place // n_threads] for place in range(len(rest))]
 
 
-def energy_account(drive: DriveTrain, inertias: tuple[float, float], start: Any, end: Any) -> tuple[float, float]:
+def energy_account(turning: float, inertias: tuple[float, float], start: Any, end: Any) -> tuple[float, float]:
     """Kinetic energy gained less work given, and the work by which to judge that. [J] Eq. (26.11)
 
-    By the machine's reduced inertia at the start and at the end. [kg·m²]
+    By what turns in the drive, and the machine's reduced inertia at the start and at the end. [kg·m²]
     """
-    turning = turning_inertia(drive.gearing)
-    before, after = 0.5 * (turning + inertias[0]) * start[1] ** 2, 0.5 * (turning + inertias[1]) * end[1] ** 2
+    before = 0.5 * (turning + inertias[0]) * (start[1] * start[1])
+    after = 0.5 * (turning + inertias[1]) * (end[1] * end[1])
     given = end[2] - end[3] - end[4]
     return float(after - before - given), float(max(abs(end[2]) + abs(end[3]), before, after))
 
@@ -383,13 +385,7 @@ def loop_of(parts: Joined, is_compiled: bool) -> Any:
     def loop(
         train: TrainNumbers, asked: Wanted, course: Course, table: Array, marks: Array, steps: Array, most_steps: int
     ) -> int:
-        here, state = course.here, course.state
-        if course.counts[STEPS] == 0:
-            begin(kernels, train, asked, course, table)
-            here[INERTIA_BEFORE] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
-        reason = inner(derive, kernels, train, asked, course, table, marks, steps, most_steps)
-        here[INERTIA_AFTER] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
-        return reason
+        return inner(derive, kernels, train, asked, course, table, marks, steps, most_steps)
 
-    inner, begin = (quick(run_on, within=True), quick(begin_run, within=True)) if is_compiled else (run_on, begin_run)
+    inner = quick(run_to_the_end, within=True) if is_compiled else run_to_the_end
     return kept(loop) if is_compiled else loop

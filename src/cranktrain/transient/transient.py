@@ -9,6 +9,8 @@ from cranktrain.transient.course import (
     BREAK,
     ENDS,
     FASTEST,
+    INERTIA_AFTER,
+    INERTIA_BEFORE,
     IS_FRESH,
     OUTPUT,
     REVERSALS,
@@ -72,6 +74,19 @@ def begin_run(kernels: Any, train: Any, asked: Any, course: Any, table: Any) -> 
             table[row, part] = state[part]
         row += 1
     course.counts[SAMPLE] = row
+
+
+def run_to_the_end(
+    derive: Any, kernels: Any, train: Any, asked: Any, course: Any, table: Any, marks: Any, steps: Any, most_steps: int
+) -> int:
+    """As `run_on`, from the very beginning where it is one; and what inertia the machine has at both ends."""
+    here, state = course.here, course.state
+    if course.counts[STEPS] == 0:
+        begin_run(kernels, train, asked, course, table)
+        here[INERTIA_BEFORE] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
+    reason = run_on(derive, kernels, train, asked, course, table, marks, steps, most_steps)
+    here[INERTIA_AFTER] = kernels.machine(state[0], state[1], here[SENSE], train.machine)[0]
+    return reason
 
 
 def run_on(

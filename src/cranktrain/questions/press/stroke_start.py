@@ -66,14 +66,11 @@ def ready_strokes(strokes: PressStrokes, start: DeclaredStart) -> ReadyStarts:
     -----
     docs/theory/clutched-drive, eqs. (30.1) to (30.15).
     """
-    return ReadyStarts(partial(_run_of, strokes, start), None, None)
+    return ReadyStarts(partial(_run_of, strokes, start), None)
 
 
-def _run_of(
-    strokes: PressStrokes, start: DeclaredStart, design: int, asked: StartAsked, *, is_compiled: bool
-) -> StartRun:
-    """Run the stroke of a design, or refuse it; if none is found, the last one tried is shown. None is compiled."""
-    del is_compiled  # a stroke goes from phase to phase in objects of Python
+def _run_of(strokes: PressStrokes, start: DeclaredStart, design: int, asked: StartAsked) -> StartRun:
+    """Run the stroke of a design, or refuse it; if none is found, the last one tried is shown."""
     case, settled, why_none = strokes.cases[design], strokes.settled[design], strokes.why_none[design]
     if case is None or settled is None:
         raise InputError([Problem("drive.stroke", None, why_none)])

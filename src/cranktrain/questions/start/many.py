@@ -1,67 +1,61 @@
 """Facts of many starts that have run, from arrays of all of them; what no fact is taken from is not computed."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.questions.start.curves import inertia_of, motor_torque
 from cranktrain.questions.start.facts import RunsInRow, StartFacts, facts_in_row
-from cranktrain.questions.start.record import RanStart
-from cranktrain.questions.start.starting import counted_on, happened, loaded, residual_of, supplied_of
+from cranktrain.questions.start.record import RanRows, RanStart, Told
+from cranktrain.questions.start.starting import Happened, counted_on, happened, marks_of, told_of
 from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 
-FACTS_OF_ENERGY = frozenset({"first_kinetic_energy", "final_kinetic_energy", "energy_left_over"})
-"""Those for which the machine's inertia is asked at all times of a run."""
+
+def rows_of_one(ran: RanStart) -> RanRows:
+    """A start that has run, as rows of one."""
+    (time, state), marks = counted_on(ran.runs), marks_of(ran)
+    torque, inertia = motor_torque(ran.case, time, state[:, SPEED]), inertia_of(ran.case, state[:, ANGLE])
+    sizes = np.array([len(time)]), np.array([len(marks)])
+    told = Told(*(np.array([one]) for one in told_of(ran)))
+    return RanRows((ran.case,), time, state, torque, inertia, sizes[0], marks, sizes[1], told)
 
 
-def facts_of_ran(starts: Sequence[RanStart], *, with_energy: bool = True) -> StartFacts:
+def happened_in(ran: RanRows) -> Iterator[Happened]:
+    """What happened on the way of each start."""
+    each = np.split(ran.marks, np.cumsum(ran.n_marks)[:-1])
+    return (happened(case, marks) for case, marks in zip(ran.cases, each, strict=True))
+
+
+def facts_of_rows(ran: RanRows, n_reversals: Array) -> StartFacts:
     """Facts of starts, each to the last bit as `start_facts` gives them of one alone.
 
     Parameters
     ----------
-    starts : sequence of RanStart
-    with_energy : bool
-        Whether `FACTS_OF_ENERGY` are wanted; NaN unless they are.
+    ran : RanRows
+    n_reversals : Array, shape (design,)
+        How often each crank turned round.
     """
-    states = [counted_on(one.runs) for one in starts]
-    sizes = np.array([len(time) for time, _state in states])
-    begins = np.cumsum(sizes) - sizes
-    time, state = np.concatenate([own for own, _state in states]), np.concatenate([own for _time, own in states])
+    begins = np.cumsum(ran.sizes) - ran.sizes
 
-    def along(number: Callable[[RanStart], float]) -> Array:
+    def along(each: list[float]) -> Array:
         """A number of each start, at all its times."""
-        return np.repeat(np.array([number(one) for one in starts]), sizes)
+        return np.repeat(np.array(each, dtype=np.float64), ran.sizes)
 
-    speed = state[:, SPEED]
-    each = zip(starts, np.split(time, begins[1:]), np.split(speed, begins[1:]), strict=True)
-    torque = np.concatenate([motor_torque(one.case, *own, is_compiled=one.is_compiled) for one, *own in each])
+    speed, gearings = ran.state[:, SPEED], [case.gearing for case in ran.cases]
+    turning = along([turning_inertia(gearing) for gearing in gearings])
     curves = {
-        "crank_angle_turned": state[:, ANGLE] - along(lambda one: one.case.zero),
+        "crank_angle_turned": ran.state[:, ANGLE] - along([case.zero for case in ran.cases]),
         "crank_speed": speed,
-        "motor_torque": torque,
-        "motor_power": torque * speed * along(lambda one: overall_ratio(one.case.gearing)),
-        "motor_work": state[:, MOTOR_WORK],
-        "load_work": state[:, LOAD_WORK],
-        "lost_work": state[:, LOST_WORK],
-        "motor_heat": state[:, HEAT],
+        "motor_torque": ran.torque,
+        "motor_power": ran.torque * speed * along([overall_ratio(gearing) for gearing in gearings]),
+        "motor_work": ran.state[:, MOTOR_WORK],
+        "load_work": ran.state[:, LOAD_WORK],
+        "lost_work": ran.state[:, LOST_WORK],
+        "motor_heat": ran.state[:, HEAT],
+        "kinetic_energy": 0.5 * (ran.inertia + turning) * speed**2,
     }
-    kinetic = np.full(len(starts), np.nan)
-    if with_energy:
-        each = zip(starts, states, strict=True)
-        inertia = np.concatenate(
-            [inertia_of(one.case, *own, loaded(one.runs), is_compiled=one.is_compiled) for one, own in each]
-        )
-        curves["kinetic_energy"] = 0.5 * (inertia + along(lambda one: turning_inertia(one.case.gearing))) * speed**2
-        kinetic = np.maximum.reduceat(curves["kinetic_energy"], begins)
-    supplied = [supplied_of(one, largest) for one, largest in zip(starts, kinetic.tolist(), strict=True)]
-    found = RunsInRow(
-        time,
-        curves,
-        begins,
-        np.array([happened(one).n_reversals for one in starts], dtype=np.float64),
-        np.array([residual_of(one) for one in starts]) + (0.0 if with_energy else np.nan),
-        np.array(supplied),
-    )
-    return facts_in_row(found)
+    kinetic = np.maximum.reduceat(curves["kinetic_energy"], begins)
+    supplied = np.where(kinetic > ran.told.supplied, kinetic, ran.told.supplied)
+    return facts_in_row(RunsInRow(ran.time, curves, begins, n_reversals, ran.told.left_over, supplied))

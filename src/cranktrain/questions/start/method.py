@@ -1,7 +1,7 @@
 """How a start is run: by explicit steps, or by an implicit method where its motor is stiff."""
 
 from functools import partial
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -37,31 +37,23 @@ class Runs(Protocol):
         ...
 
 
-class Method(NamedTuple):
-    """What runs a start, and whether compiled."""
+def method_of(case: StartCase) -> Runs:
+    """The method that suits a start: `run`, by explicit steps, unless its motor is stiff.
 
-    run: Runs
-    is_compiled: bool
-
-
-def method_of(case: StartCase, *, is_compiled: bool = False) -> Method:
-    """The method that suits a start; where many are run, an explicit one may be compiled.
-
-    Explicit steps where its motor is not stiff, where a chamber remembers its gas, as an implicit method tries steps
-    that it does not take, and where SciPy is not installed.
+    Explicit steps, too, where a chamber remembers its gas, as an implicit method tries steps that it does not take, and
+    where SciPy is not installed.
     """
-    explicit = Method(run, is_compiled)
     if case.motor is None or len(case.machine.chambers) or not is_there("scipy"):
-        return explicit
+        return run
     top = case.motor.highest_speed(0)
     if not np.isfinite(top):
-        return explicit
+        return run
     switching = Switching(case.motor.row(0), np.inf, np.inf, 0.0)
     drive = DriveTrain(numbers_from(case.machine, 0.0), switching, _NO_BRAKE, case.gearing, case.place)
     at_crank = top / overall_ratio(case.gearing)
     if not is_stiff(slip_time_constant(start_kernels(case.motor), drive, top, _ANGLES), at_crank):
-        return explicit
+        return run
     rows = case.rows.tolist()
     few = (few_ahead(at, 1.0, rows, case.cycle) for at in rows)
     longest = min([2 * np.pi / _STEPS_A_TURN, *few]) / at_crank
-    return Method(partial(run_implicitly, longest_step=longest), is_compiled=False)
+    return partial(run_implicitly, longest_step=longest)

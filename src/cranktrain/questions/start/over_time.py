@@ -8,7 +8,8 @@ from cranktrain.questions.start.load_forces import have_forces, start_forces
 from cranktrain.questions.start.parts import are_strokes_wanted
 from cranktrain.questions.start.ready import start_cases
 from cranktrain.questions.start.record import start_curves, start_events, start_pressures
-from cranktrain.questions.start.starting import ready_starts, start_run
+from cranktrain.questions.start.starting import start_run
+from cranktrain.questions.start.together import ready_starts
 
 
 def is_no_stroke(stroke: DeclaredStroke | None) -> bool:

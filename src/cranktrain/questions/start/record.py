@@ -1,9 +1,9 @@
 """What became of a start: its curves over time, its events, why it ended."""
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, cached_property
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -189,22 +189,96 @@ class RanStart(NamedTuple):
         Why it ended.
     asked : Array
         Times at which curves are wanted. [s]
-    is_compiled : bool
     """
 
     case: StartCase
     runs: list[tuple[PartOfRun, TransientRun]]
     reason: int
     asked: Array
-    is_compiled: bool
+
+
+class RanRows(NamedTuple):
+    """Starts that have run, one behind the other, before anything is made of their states.
+
+    Attributes
+    ----------
+    cases : tuple of StartCase
+    time : Array, shape (sample,)
+        [s]
+    state : Array, shape (sample, state)
+    torque, inertia : Array, shape (sample,)
+        Of the motor, and the machine's own; NaN where nobody asks for it. [N·m, kg·m²]
+    sizes : array of int, shape (design,)
+        How many samples each has.
+    marks : Array, shape (event, 4)
+        Kind, time counted on, angle and speed of events. [1, s, rad, rad/s]
+    n_marks : array of int, shape (design,)
+        How many events each has.
+    told : Array, shape (`Told`, design)
+    """
+
+    cases: tuple[StartCase, ...]
+    time: Array
+    state: Array
+    torque: Array
+    inertia: Array
+    sizes: NDArray[np.intp]
+    marks: Array
+    n_marks: NDArray[np.intp]
+    told: "Told"
+
+
+class Told(NamedTuple):
+    """What is told of a start besides its samples; of each design, shape (design,).
+
+    Attributes
+    ----------
+    reason : Array
+        Why it ended.
+    n_steps : Array
+        Of its last part.
+    left_over, supplied : Array
+        Of all parts together, as of `TransientRun`. [J]
+    end_time, end_speed : Array
+        [s, rad/s]
+    """
+
+    reason: Any
+    n_steps: Any
+    left_over: Any
+    supplied: Any
+    end_time: Any
+    end_speed: Any
 
 
 class RunsDesign(Protocol):
-    """Runs the start of a design, by its place, as it is asked for; compiled where that is said and can be."""
+    """Runs the start of a design, by its place, as it is asked for."""
 
-    def __call__(self, design: int, asked: StartAsked, *, is_compiled: bool) -> StartRun:
+    def __call__(self, design: int, asked: StartAsked) -> StartRun:
         """Run it, or refuse it by an `InputError`."""
         ...
+
+
+@record
+class StartsInShort:
+    """Starts that are run without making curves of their states.
+
+    Attributes
+    ----------
+    kernels : Kernels
+        Of compiled runs.
+    alone : callable
+        Runs a design by its place in plain Python, or refuses it by an `InputError`.
+    groups : callable
+        Which of some designs can be run together, compiled: their places, group by group.
+    together : callable
+        Runs those of a group so, or some of it in their order.
+    """
+
+    kernels: Kernels
+    alone: Callable[[int], RanRows]
+    groups: Callable[[Sequence[int]], list[list[int]]]
+    together: Callable[[Sequence[int]], Iterator[RanRows]]
 
 
 @record
@@ -215,16 +289,12 @@ class ReadyStarts:
     ----------
     run : callable
         See `RunsDesign`.
-    kernels : Kernels or None
-        Of a compiled run; None where none is.
-    ran : callable or None
-        Runs the start of a design, compiled if that is said, without making curves of its states; None where that
-        cannot be left out.
+    in_short : StartsInShort or None
+        None where curves cannot be left out.
     """
 
     run: RunsDesign
-    kernels: Kernels | None
-    ran: Callable[[int, bool], RanStart] | None
+    in_short: StartsInShort | None
 
 
 def start_curves(run: StartRun) -> StartCurves:

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -13,11 +12,29 @@ from cranktrain.language import N_, Words, _
 from cranktrain.motion import Array
 from cranktrain.questions.reduction.unloaded import with_open_valves
 from cranktrain.questions.start.asked import MovingParts, StartAsked
-from cranktrain.questions.start.case import StartCase, StartCases, Switching, start_kernels
+from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import at_times, close_times, curves_of, each_once, numbers_from
-from cranktrain.questions.start.method import Method, method_of
+from cranktrain.questions.start.method import Runs, method_of
 from cranktrain.questions.start.notes import start_notes
-from cranktrain.questions.start.record import GasOverTime, PartOfRun, RanStart, ReadyStarts, StartEvent, StartRun
+from cranktrain.questions.start.record import (
+    GasOverTime,
+    PartOfRun,
+    RanStart,
+    ReadyStarts,
+    StartEvent,
+    StartRun,
+    Told,
+)
+from cranktrain.questions.start.spans import (
+    LONGEST,
+    MOST_REVERSALS,
+    MOST_STEPS,
+    N_EVEN,
+    NEARLY,
+    followed_until,
+    is_there_already,
+    some_cycles_on,
+)
 from cranktrain.saying.wording import number
 from cranktrain.transient import endings
 from cranktrain.transient.equation import MOTOR_WORK, SPEED, DriveTrain
@@ -25,17 +42,7 @@ from cranktrain.transient.reduced import ReducedMachine
 from cranktrain.transient.runs import REASONS, Progress, TransientRun, Wanted, wanted
 from cranktrain.transient.step import N_STATE
 
-_NEARLY = 0.98
-"""Of the mean speed of steady running: from there on a start is over but for two cycles more."""
-_MORE_CYCLES = 2.0
-_N_SAMPLES = 1001
-_LONGEST = 60.0
-"""Unless the file says how long. [s]"""
 MOST_SAMPLES = 1_000_000
-_MOST_STEPS = 60_000
-"""Some ten seconds of computing; a minute of a compressor at 1500 rpm takes 55 000."""
-_MOST_REVERSALS = 100
-"""After which a crank that swings is taken not to get over."""
 
 EVENTS = {
     endings.REVERSAL: N_("turns round"),
@@ -52,28 +59,6 @@ LONGEST_OVER = N_("60 s are over, the most without a duration")
 OVERSPEED = N_("it turns faster than overspeed allows")
 
 
-def ready_starts(cases: StartCases, parts: MovingParts) -> ReadyStarts:
-    """Runs from rest; docs/theory/transient, eqs. (26.7) to (26.13)."""
-    return ReadyStarts(partial(_run_of, cases), start_kernels(parts.motor, is_compiled=True), partial(_ran_of, cases))
-
-
-def _run_of(cases: StartCases, design: int, asked: StartAsked, *, is_compiled: bool) -> StartRun:
-    """Run the start of a design, or refuse it."""
-    return run_start(_case_of(cases, design), asked, is_compiled=is_compiled)
-
-
-def _ran_of(cases: StartCases, design: int, is_compiled: bool) -> RanStart:
-    """Run the start of a design as its file says, or refuse it."""
-    return ran_start(_case_of(cases, design), StartAsked(), is_compiled=is_compiled)
-
-
-def _case_of(cases: StartCases, design: int) -> StartCase:
-    case = cases.each[design]
-    if isinstance(case, InputError):
-        raise case
-    return case
-
-
 def start_run(ready: ReadyStarts, parts: MovingParts, asked: StartAsked) -> StartRun:
     """Run the start of the only design to its end, and say what of the file it leaves out.
 
@@ -81,32 +66,32 @@ def start_run(ready: ReadyStarts, parts: MovingParts, asked: StartAsked) -> Star
     -----
     docs/theory/transient, eqs. (26.7) to (26.13); of a press docs/theory/clutched-drive, eqs. (30.1) to (30.15).
     """
-    run = ready.run(0, asked, is_compiled=False)
+    run = ready.run(0, asked)
     return replace(run, notes=tuple(start_notes(parts, run)))
 
 
-def run_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool = False) -> StartRun:
+def run_start(case: StartCase, asked_for: StartAsked) -> StartRun:
     """Run a start, with curves of all of it."""
-    return _together(ran_start(case, asked_for, is_compiled=is_compiled))
+    return _together(ran_start(case, asked_for))
 
 
-def ran_start(case: StartCase, asked_for: StartAsked, *, is_compiled: bool) -> RanStart:
+def ran_start(case: StartCase, asked_for: StartAsked) -> RanStart:
     """Run a start: to its end, and once more for the states on the way where its steps do not tell them."""
-    method = method_of(case, is_compiled=is_compiled)
-    first = list(_runs(case, method, _NO_TIMES, np.inf, asked_for.progress, keeps_steps=True))
+    run = method_of(case)
+    first = list(_runs(case, run, _NO_TIMES, np.inf, asked_for.progress, keeps_steps=True))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time
-    even = np.linspace(0.0, end, _N_SAMPLES)
+    even = np.linspace(0.0, end, N_EVEN)
     asked = wanted_times(asked_for, case.start.interval, case.interval_text, end, even)
     ends = np.concatenate([found.steps[:, :2] + np.array([span.start, 0.0]) for span, found in first])
-    close = close_times(case, ends, is_compiled=method.is_compiled)
+    close = close_times(case, ends)
     times = [even, close] if asked is even else [even, asked, close]
     samples = each_once(np.sort(np.concatenate(times), kind="stable"))
     if all(found.tells_within for _span, found in first):
-        runs = [(span, found.sampled(_within(span, samples), is_compiled=method.is_compiled)) for span, found in first]
+        runs = [(span, found.sampled(_within(span, samples), is_compiled=False)) for span, found in first]
     else:
-        runs = list(_runs(case, method, samples, end if last.reason == endings.STOPPED else np.inf, None))
-    return RanStart(case, runs, last.reason, asked, method.is_compiled)
+        runs = list(_runs(case, run, samples, end if last.reason == endings.STOPPED else np.inf, None))
+    return RanStart(case, runs, last.reason, asked)
 
 
 _NO_TIMES = np.empty(0)
@@ -134,7 +119,7 @@ def wanted_times(asked: StartAsked, interval: float, text: str, end: float, even
 
 def _runs(
     case: StartCase,
-    method: Method,
+    run: Runs,
     samples: Array,
     end: float,
     progress: Progress | None,
@@ -143,10 +128,9 @@ def _runs(
 ) -> Iterator[tuple[PartOfRun, TransientRun]]:
     """Run span by span, each from where the last one ended, until one ends for a reason of its own."""
     angle, speed, now = case.start.angle + case.zero, case.start.speed, 0.0
-    run, is_compiled = method
-    spans, kernels = list(_spans(case)), start_kernels(case.motor, is_compiled=is_compiled)
-    breaks = tuple(_breaks(case))
-    numbers: Array | list[float] = []
+    spans, kernels = list(spans_of(case)), start_kernels(case.motor)
+    breaks = tuple(breaks_of(case))
+    numbers = list[float]()
     machine, filled = None, case.start.gas_pressure
     while spans:
         span = spans.pop(0)
@@ -154,11 +138,11 @@ def _runs(
             continue
         span = _from_speed(case, span._replace(start=now, end=min(span.end, end)), speed)
         if span.machine is not machine:
-            numbers = numbers_from(span.machine, angle, filled, is_compiled=is_compiled)
+            numbers = numbers_from(span.machine, angle, filled)
         filled = math.nan
         asked, train = _wanted(case, span, angle, speed, samples, breaks), _train(case, span, numbers)
         telling = _from(span.start, progress)
-        found = run(kernels, train, asked, is_compiled=is_compiled, progress=telling, keeps_steps=keeps_steps)
+        found = run(kernels, train, asked, is_compiled=False, progress=telling, keeps_steps=keeps_steps)
         yield span, found
         is_over = found.reason == endings.TIME_OUT
         now = span.end if is_over else span.start + found.end_time
@@ -172,10 +156,19 @@ def _runs(
 
 
 def _from_speed(case: StartCase, span: PartOfRun, speed: float) -> PartOfRun:
-    """Some cycles in place of a speed to reach, where a span that is to settle begins at that speed or faster."""
-    if case.is_to_settle and np.isfinite(span.target) and speed >= span.target:
-        return span._replace(target=np.inf, end=min(span.end, span.start + _MORE_CYCLES * case.cycle_time))
+    """Some cycles in place of a speed to reach, where that is reached already."""
+    if case.is_to_settle and is_there_already(speed, span.target):
+        return span._replace(target=np.inf, end=min(span.end, some_cycles_on(span.start, case.cycle_time)))
     return span
+
+
+def _followed(case: StartCase, span: PartOfRun, found: TransientRun, speed: float) -> float:
+    """When a span is over that follows on the last one, which began at a speed; its own end where none does. [s]"""
+    ended = span.start + found.end_time
+    if not case.is_to_settle:
+        return ended
+    speeds = speed, float(found.end[1])
+    return followed_until(found.reason, ended, span.target, speeds, case.steady_speed, case.cycle_time)
 
 
 def _from(start: float, progress: Progress | None) -> Progress | None:
@@ -188,7 +181,7 @@ def _switches(case: StartCase) -> tuple[float, float, float]:
     return case.start.motor_off, case.start.motor_reversed, case.start.brake_on + case.brake.begins
 
 
-def _breaks(case: StartCase) -> Iterator[float]:
+def breaks_of(case: StartCase) -> Iterator[float]:
     """When motor or brake jump, or have a corner: where they are switched, and the motor's own starter. [s]"""
     off, back, braked = _switches(case)
     yield from (off, back, braked, braked + case.brake.rise_time)
@@ -199,7 +192,7 @@ def _breaks(case: StartCase) -> Iterator[float]:
     yield from (back + at for at in times if back + at < off)
 
 
-def _train(case: StartCase, span: PartOfRun, machine: Array | list[float]) -> DriveTrain:
+def _train(case: StartCase, span: PartOfRun, machine: list[float]) -> DriveTrain:
     """Numbers of a span's kernels."""
     off, back, braked = _switches(case)
     return DriveTrain(
@@ -232,8 +225,8 @@ def _wanted(
         target_speed=span.target,
         overspeed=case.start.overspeed,
         stops_at_target=bool(np.isfinite(span.target)),
-        most_steps=_MOST_STEPS,
-        most_reversals=1 if span.to_rest else _MOST_REVERSALS,
+        most_steps=MOST_STEPS,
+        most_reversals=1 if span.to_rest else MOST_REVERSALS,
         tolerance=case.start.tolerance,
         is_timed=True,
     )
@@ -244,7 +237,7 @@ def _together(ran: RanStart) -> StartRun:
     case, runs = ran.case, ran.runs
     time, state = counted_on(runs)
     wanted_too = np.flatnonzero(np.isin(time, ran.asked))
-    whole, pressure = curves_of(case, time, state, loaded(runs), is_compiled=ran.is_compiled)
+    whole, pressure = curves_of(case, time, state, loaded(runs))
     return StartRun(
         reason=reason_of(ran),
         time=time[wanted_too],
@@ -295,21 +288,32 @@ def loaded(runs: Sequence[tuple[PartOfRun, TransientRun]]) -> list[tuple[float, 
 
 def reason_of(ran: RanStart) -> Words:
     """Why it ended."""
-    return _(_reason(ran))
+    return why_ended(ran.case, told_of(ran))
 
 
-def _reason(ran: RanStart) -> str:
-    """Why it ended, by what was asked for, not yet translated."""
-    case, reason, (span, last) = ran.case, ran.reason, ran.runs[-1]
-    if reason == endings.OVERSPEED:
+def why_ended(case: StartCase, told: Told) -> Words:
+    """Why a design ended, by what was asked for."""
+    return _(_reason(case, told))
+
+
+def _reason(case: StartCase, told: Told) -> str:
+    """The same, not yet translated."""
+    if told.reason == endings.OVERSPEED:
         return OVERSPEED
-    if reason == endings.TOO_MANY_STEPS and last.n_steps >= _MOST_STEPS:
+    if told.reason == endings.TOO_MANY_STEPS and told.n_steps >= MOST_STEPS:
         return STEPS_OVER
-    if reason != endings.TIME_OUT or np.isfinite(case.start.duration):
-        return REASONS[reason]
-    if span.start + last.end_time >= _LONGEST:
+    if told.reason != endings.TIME_OUT or np.isfinite(case.start.duration):
+        return REASONS[told.reason]
+    if told.end_time >= LONGEST:
         return LONGEST_OVER
-    return SETTLED if last.end[SPEED] >= 0 else SETTLED_BACKWARD
+    return SETTLED if told.end_speed >= 0 else SETTLED_BACKWARD
+
+
+def told_of(ran: RanStart) -> Told:
+    """What is told of a start besides its samples."""
+    span, last = ran.runs[-1]
+    residual, supplied = residual_of(ran), sum(found.supplied for _span, found in ran.runs)
+    return Told(ran.reason, last.n_steps, residual, supplied, span.start + last.end_time, float(last.end[SPEED]))
 
 
 class Happened(NamedTuple):
@@ -324,30 +328,34 @@ class Happened(NamedTuple):
         return self.sorts.count(EVENTS[endings.REVERSAL])
 
 
-def happened(ran: RanStart) -> Happened:
-    """What happened on the way, by time; a crank that stops and is held does not turn round."""
-    marks = np.concatenate([found.marks for _span, found in ran.runs])
-    marks[:, 1] += np.repeat([span.start for span, _found in ran.runs], [len(found.marks) for _span, found in ran.runs])
-    marks[:, 2] -= ran.case.zero
+def happened(case: StartCase, marks: Array) -> Happened:
+    """What happened on the way, by events counted on; a crank that stops and is held does not turn round."""
     kind, time = marks[:, 0], marks[:, 1]
     turns = kind == endings.REVERSAL
     own = marks[~(turns & np.isin(time, time[kind == endings.HELD]))] if np.any(turns) else marks
-    names = EVENTS | {endings.SPEED_PASSED: NEARLY_STEADY} if ran.case.is_to_settle else EVENTS
-    return Happened(tuple(names[one] for one in own[:, 0].tolist()), own[:, 1:])
+    names = EVENTS | {endings.SPEED_PASSED: NEARLY_STEADY} if case.is_to_settle else EVENTS
+    return Happened(tuple(names[one] for one in own[:, 0].tolist()), own[:, 1:] - np.array([0.0, case.zero, 0.0]))
+
+
+def marks_of(ran: RanStart) -> Array:
+    """Events of all parts of a run, times counted on."""
+    marks = np.concatenate([found.marks for _span, found in ran.runs])
+    marks[:, 1] += np.repeat([span.start for span, _found in ran.runs], [len(found.marks) for _span, found in ran.runs])
+    return marks
 
 
 def events_of(ran: RanStart) -> Iterator[StartEvent]:
     """What happened on the way, one by one."""
-    sorts, rows = happened(ran)
+    sorts, rows = happened(ran.case, marks_of(ran))
     return (StartEvent(sort, *row) for sort, row in zip(sorts, rows.tolist(), strict=True))
 
 
-def _spans(case: StartCase) -> Iterator[PartOfRun]:
+def spans_of(case: StartCase) -> Iterator[PartOfRun]:
     """Parts of a run: until a compressor is loaded; until it nearly runs as it will, and a little more; or as asked.
 
     A motor that is reversed stops the crank first, and then runs it up the other way.
     """
-    end = case.start.duration if np.isfinite(case.start.duration) else _LONGEST
+    end = case.start.duration if np.isfinite(case.start.duration) else LONGEST
     asked, back = case.start.until_speed, case.start.motor_reversed
     begins = min(case.start.unloaded_until, end)
     if begins > 0:
@@ -356,16 +364,4 @@ def _spans(case: StartCase) -> Iterator[PartOfRun]:
         if back > begins:
             yield PartOfRun(begins, back, np.inf, case.machine)
         yield PartOfRun(back, end, np.inf, case.machine, to_rest=True)
-    yield PartOfRun(begins, end, _NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)
-
-
-def _followed(case: StartCase, span: PartOfRun, found: TransientRun, speed: float) -> float:
-    """When a span is over that follows on the last one, which began at a speed; its own end where none does. [s]"""
-    ended = span.start + found.end_time
-    if not case.is_to_settle:
-        return ended
-    began_fast = np.isinf(span.target) and speed > case.steady_speed / _NEARLY
-    slows_yet = began_fast and speed - found.end[1] > (1 - _NEARLY) * case.steady_speed
-    if found.reason == endings.SPEED_REACHED or (found.reason == endings.TIME_OUT and slows_yet):
-        return min(ended + _MORE_CYCLES * case.cycle_time, _LONGEST)
-    return ended
+    yield PartOfRun(begins, end, NEARLY * case.steady_speed if case.is_to_settle else asked, case.machine)

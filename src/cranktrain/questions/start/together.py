@@ -1,0 +1,199 @@
+"""Starts of designs run together: what they have in common once, the rest in rows, and what the compiled loop tells."""
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from cranktrain.errors import InputError
+from cranktrain.grouping import grouped
+from cranktrain.motion import Array
+from cranktrain.questions.reduction.unloaded import with_open_valves
+from cranktrain.questions.start.asked import MovingParts, StartAsked
+from cranktrain.questions.start.case import StartCase, StartCases, start_kernels
+from cranktrain.questions.start.in_row import (
+    MOST_MARKS,
+    MOST_PARTS,
+    DesignNumbers,
+    Room,
+    Rows,
+    Together,
+    row_of_starts,
+)
+from cranktrain.questions.start.many import rows_of_one
+from cranktrain.questions.start.method import method_of
+from cranktrain.questions.start.record import RanRows, ReadyStarts, StartRun, StartsInShort, Told
+from cranktrain.questions.start.starting import breaks_of, ran_start, run_start, spans_of
+from cranktrain.transient.course import room_for_a_course
+from cranktrain.transient.gearing import turning_inertia
+from cranktrain.transient.law import in_one_stage, lines_of
+from cranktrain.transient.reduced import in_one_row
+from cranktrain.transient.runs import each_apart, run
+from cranktrain.transient.step import N_STATE
+from cranktrain.transient.traced import N_TRACED
+
+_N_STEPS, _N_SAMPLES, _N_TOLD, _N_MARKS = 4096, 8192, 2500, 200
+"""Room of a design for steps, and times that are looked at; that which is told of each on the mean, and its events."""
+_MOST_ROOM = 32
+"""Times as much: what takes more goes alone."""
+
+
+def ready_starts(cases: StartCases, parts: MovingParts) -> ReadyStarts:
+    """Runs from rest; docs/theory/transient, eqs. (26.7) to (26.13)."""
+    in_short = (partial(each, cases) for each in (_ran, _in_groups, _ran_together))
+    return ReadyStarts(partial(_run, cases), StartsInShort(start_kernels(parts.motor, is_compiled=True), *in_short))
+
+
+def _run(cases: StartCases, design: int, asked: StartAsked) -> StartRun:
+    """Run the start of a design, or refuse it."""
+    return run_start(_case_of(cases, design), asked)
+
+
+def _ran(cases: StartCases, design: int) -> RanRows:
+    """Run the start of a design as its file says, or refuse it."""
+    return rows_of_one(ran_start(_case_of(cases, design), StartAsked()))
+
+
+def _case_of(cases: StartCases, design: int) -> StartCase:
+    case = cases.each[design]
+    if isinstance(case, InputError):
+        raise case
+    return case
+
+
+def _in_groups(cases: StartCases, designs: Sequence[int]) -> list[list[int]]:
+    """Designs that can be run together, in their order: of one machine and one motor that is not stiff."""
+    each = ((design, cases.each[design]) for design in designs)
+    fit = ((design, case) for design, case in each if isinstance(case, StartCase) and method_of(case) is run)
+    return list(grouped((_in_common(case), design) for design, case in fit).values())
+
+
+def _in_common(case: StartCase) -> tuple[object, ...]:
+    corners = case.corners.tobytes(), case.rows.tobytes(), lines_of(case.gearing).shape
+    return id(case.machine), id(case.motor), *corners
+
+
+def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows]:
+    """Run designs of one group, in their order; what takes too much room is run by itself.
+
+    docs/theory/transient, eqs. (26.7) to (26.14).
+    """
+    own = [_case_of(cases, design) for design in designs]
+    loop, given = row_of_starts(start_kernels(own[0].motor, is_compiled=True)), _together(own)
+    first, times = 0, 1
+    while first < len(own):
+        told = _room_to_tell(len(own), first, times)
+        after = loop(given, _room(given, times), told, first)
+        if after > first:
+            yield _rows_told(own[first:after], told, slice(first, after))
+            first, times = after, 1
+        elif times < _MOST_ROOM:
+            times *= 2
+        else:
+            yield rows_of_one(ran_start(own[first], StartAsked()))
+            first += 1
+
+
+def _together(cases: Sequence[StartCase]) -> Together:
+    """Put designs of one group together."""
+    first, parts, breaks = cases[0], [_parts(case) for case in cases], [sorted(breaks_of(case)) for case in cases]
+    machines = [first.machine, with_open_valves(first.machine)]
+    return Together(
+        np.stack([in_one_row(machine) for machine in machines]),
+        first.motor_numbers,
+        each_apart(first.corners, first.cycle),
+        each_apart(first.rows, first.cycle),
+        float(first.cycle),
+        np.array([_numbers(case) for case in cases]),
+        np.stack([lines_of(case.gearing) for case in cases]),
+        _filled(parts, (0.0, 0.0, 0.0, -1.0, 0.0)),
+        _filled(breaks, np.inf),
+    )
+
+
+def _parts(case: StartCase) -> list[tuple[float, ...]]:
+    """Planned parts of a run, in numbers."""
+    return [
+        (span.start, span.end, span.target, float(span.machine is not case.machine), float(span.to_rest))
+        for span in spans_of(case)
+    ]
+
+
+def _filled(rows: Sequence[Sequence[Any]], nothing: Any) -> Array:
+    """Rows of designs, filled up to the longest."""
+    longest = max(map(len, rows))
+    return np.array([[*row, *[nothing] * (longest - len(row))] for row in rows], dtype=np.float64)
+
+
+def _numbers(case: StartCase) -> DesignNumbers:
+    """Numbers of a design, in a row."""
+    start, brake, stage = case.start, case.brake, in_one_stage(case.gearing)
+    return DesignNumbers(
+        angle=start.angle + case.zero,
+        speed=start.speed,
+        off=start.motor_off,
+        back=start.motor_reversed,
+        braked=start.brake_on + brake.begins,
+        overspeed=start.overspeed,
+        gas_pressure=start.gas_pressure,
+        interval=start.interval,
+        tolerance=start.tolerance,
+        brake_torque=brake.torque,
+        rise_time=brake.rise_time,
+        on_crank=case.place.on_crank,
+        holds=case.place.holds,
+        settles=float(case.is_to_settle),
+        steady_speed=case.steady_speed,
+        cycle_time=case.cycle_time,
+        turning=float(turning_inertia(case.gearing)),
+        has_stage=float(stage.is_all),
+        ratio=stage.ratio,
+        forward=stage.forward,
+        backward=stage.backward,
+        drag=stage.drag,
+        stage_inertia=stage.inertia,
+        motor=stage.motor,
+    )
+
+
+def _room(given: Together, times: int) -> Room:
+    """Room for one design after another."""
+    n_samples = times * _N_SAMPLES
+    return Room(
+        room_for_a_course(),
+        np.empty(given.machines.shape[1]),
+        np.empty(N_STATE),
+        np.empty(given.breaks.shape[1]),
+        np.empty((times * _N_STEPS, N_TRACED)),
+        np.empty((MOST_PARTS, 8)),
+        np.empty((MOST_PARTS, N_STATE)),
+        np.empty((MOST_PARTS, N_STATE)),
+        np.empty(n_samples),
+        np.empty(n_samples),
+        np.empty(n_samples),
+        np.empty((n_samples, N_STATE)),
+    )
+
+
+def _room_to_tell(n_designs: int, first: int, times: int) -> Rows:
+    """Room for what is told of designs from one on."""
+    n_left = n_designs - first
+    n_rows, n_marks = n_left * _N_TOLD + times * _N_SAMPLES, n_left * _N_MARKS + 2 * times * MOST_MARKS
+    return Rows(
+        np.empty((n_designs, 8)),
+        np.empty(n_rows),
+        np.empty((n_rows, N_STATE)),
+        np.empty(n_rows),
+        np.empty(n_rows),
+        np.empty((n_marks, 4)),
+    )
+
+
+def _rows_told(cases: Sequence[StartCase], told: Rows, own: slice) -> RanRows:
+    """What became of designs."""
+    *of_all, sizes, n_marks = told.designs[own].T
+    sizes, n_marks = sizes.astype(np.intp), n_marks.astype(np.intp)
+    rows, marks = slice(int(np.sum(sizes))), slice(int(np.sum(n_marks)))
+    along = (told.time[rows], told.state[rows], told.torque[rows], told.inertia[rows])
+    return RanRows(tuple(cases), *along, sizes, told.marks[marks], n_marks, Told(*of_all))
