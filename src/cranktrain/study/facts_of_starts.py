@@ -36,6 +36,7 @@ from cranktrain.questions.start.record import (
     start_events,
 )
 from cranktrain.questions.start.starting import why_ended
+from cranktrain.questions.start.together import AT_ONCE
 from cranktrain.saying.catalogue import entries
 from cranktrain.study.facts_of_rows import FactsOfRows, Gathered
 from cranktrain.study.start import is_over_time, over_time_of_columns, over_time_of_designs
@@ -45,8 +46,6 @@ FACTS_SHOWN = ("start_duration", "largest_motor_torque", "effective_motor_torque
 """Of starts, unless others are asked for."""
 _COMPILING, _LOADING = 20.0, 0.5
 """How long it takes to compile starts, and to load what was compiled before: from when on plain ones are longer. [s]"""
-_HANDED_OUT = 32
-"""Designs that a thread takes at once: one by one they would wait for each other."""
 _compiled = set[Kernels]()
 """What this process has compiled."""
 
@@ -206,8 +205,7 @@ def _each_made(
         with np.errstate(all="ignore"):
             groups = in_short.groups(left)
             left = sorted(set(left).difference(*groups))
-            for designs, ran in _together(in_short, groups, is_first=is_first):
-                yield designs, _of_rows(ran)
+            yield from _together(in_short, groups, is_first=is_first)
     yield from map(alone, left)
 
 
@@ -222,30 +220,29 @@ def _of_rows(ran: RanRows) -> _Made:
 
 def _together(
     in_short: StartsInShort, groups: Sequence[Sequence[int]], *, is_first: bool
-) -> Iterator[tuple[Sequence[int], RanRows]]:
+) -> Iterator[tuple[Sequence[int], _Made]]:
     """Run groups of designs compiled, by several threads; the first of all alone, as it compiles or loads."""
-    each = [group[at : at + _HANDED_OUT] for group in groups for at in range(0, len(group), _HANDED_OUT)]
+    each = [group[at : at + AT_ONCE] for group in groups for at in range(0, len(group), AT_ONCE)]
+
+    def some(designs: Sequence[int]) -> list[tuple[Sequence[int], _Made]]:
+        made, first = list[tuple[Sequence[int], _Made]](), 0
+        with np.errstate(all="ignore"):  # of each thread
+            for ran in in_short.together(designs):
+                made.append((designs[first : first + len(ran.cases)], _of_rows(ran)))
+                first += len(ran.cases)
+        return made
+
     if is_first and each:
         with uncollected():
-            first = list(in_short.together(each[0]))
-        yield from _with_places(each.pop(0), first)
+            first = some(each.pop(0))
+        yield from first
         _compiled.add(in_short.kernels)
-
-    def some(designs: Sequence[int]) -> list[RanRows]:
-        return list(in_short.together(designs))
-
     with ThreadPoolExecutor(_n_threads()) as pool:
         try:
-            for designs, ran in zip(each, pool.map(some, each), strict=True):
-                yield from _with_places(designs, ran)
+            for made in pool.map(some, each):
+                yield from made
         finally:
             pool.shutdown(cancel_futures=True)
-
-
-def _with_places(designs: Sequence[int], each: Sequence[RanRows]) -> Iterator[tuple[Sequence[int], RanRows]]:
-    """Rows of designs, which were told some at a time in their order, with their places."""
-    ends = np.cumsum([len(ran.cases) for ran in each]).tolist()
-    yield from ((designs[end - len(ran.cases) : end], ran) for end, ran in zip(ends, each, strict=True))
 
 
 def _is_worth_compiling(kernels: Kernels, seconds: float) -> bool:

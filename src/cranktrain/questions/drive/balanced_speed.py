@@ -10,7 +10,7 @@ from cranktrain.questions.drive.steady_turn import DriveInTurn, together
 from cranktrain.questions.reduction.gear_train import through_stages
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
 
-_N_SPEEDS, _AT_ONCE = 400, 40
+_N_SPEEDS, _AT_ONCE = 400, 10
 _N_ANGLES = 96
 """At which the first guess of the speed looks: the cycle itself does not hang on them."""
 _SLOWEST, _BEYOND = 0.02, 1.3

@@ -152,18 +152,18 @@ class Rows(NamedTuple):
 
 
 def run_parts(
-    derive: Any, kernels: Any, given: Any, design: int, room: Any, told: Any, n_samples: int, first_mark: int
+    derive: Any, kernels: Any, given: Any, design: int, room: Any, told: Any, marks: Any, n_samples: int, first_mark: int
 ) -> int:
     """Run a design part by part, each from where the last one ended; gives how many, or less than 1 for no room.
 
     Without samples, steps are kept; with them, states at the samples, in the table.
     """
-    own, course, marks, designs = given.designs[design], room.course, told.marks, told.designs
+    own, course = given.designs[design], room.course
     angle, speed, now, filled = own[ANGLE], own[FIRST_SPEED], 0.0, own[GAS_PRESSURE]
     n_parts, n_steps, n_rows, n_marks, place, held_machine = 0, 0, 0, first_mark, 0, -1.0
     until, is_more = 0.0, False
-    designs[design, LEFT_OVER] = 0.0
-    designs[design, SUPPLIED] = 0.0
+    told[LEFT_OVER] = 0.0
+    told[SUPPLIED] = 0.0
     while is_more or (place < given.spans.shape[1] and given.spans[design, place, WHICH] >= 0):
         if n_parts == len(room.parts) or n_marks + MOST_MARKS > len(marks):
             return 0
@@ -238,16 +238,16 @@ def run_parts(
         left_over, supplied = energy_account(
             own[TURNING], (course.here[INERTIA_BEFORE], course.here[INERTIA_AFTER]), room.start, course.state
         )
-        designs[design, LEFT_OVER] += left_over
-        designs[design, SUPPLIED] += supplied
+        told[LEFT_OVER] += left_over
+        told[SUPPLIED] += supplied
         n_parts += 1
         ended = now + course.here[TIME]
-        designs[design, REASON], designs[design, N_STEPS], designs[design, END_TIME] = (
+        told[REASON], told[N_STEPS], told[END_TIME] = (
             reason,
             course.counts[STEPS],
             ended,
         )
-        designs[design, END_SPEED], designs[design, N_MARKS] = course.state[1], n_marks - first_mark
+        told[END_SPEED], told[N_MARKS] = course.state[1], n_marks - first_mark
         now = end if reason == endings.TIME_OUT else ended
         is_last = not (place < given.spans.shape[1] and given.spans[design, place, WHICH] >= 0)
         until = now
@@ -426,22 +426,22 @@ def row_of_starts(kernels: Kernels) -> Any:
     def run_row(given: Together, room: Room, told: Rows, first: int) -> int:
         n_rows, n_marks, nothing = 0 * first, 0 * first, 0 * first
         for design in range(first, len(given.designs)):
-            n_parts = through(derive, own, given, design, room, told, nothing, n_marks)
+            n_parts = through(derive, own, given, design, room, told.designs[design - first], told.marks, nothing, n_marks)
             if n_parts < 1:
                 return design
-            n_samples = looked_at(own, given, design, room, n_parts, told.designs[design, END_TIME])
+            n_samples = looked_at(own, given, design, room, n_parts, told.designs[design - first, END_TIME])
             if n_samples < 1:
                 return design
             if by_steps(room, n_parts):
                 fill(room, n_parts, n_samples)
             else:
-                through(derive, own, given, design, room, told, n_samples, n_marks)
+                through(derive, own, given, design, room, told.designs[design - first], told.marks, n_samples, n_marks)
             n_told = write(own, given, design, room, told, n_parts, n_samples, n_rows)
             if n_told < 1:
                 return design
-            told.designs[design, N_SAMPLES] = n_told
+            told.designs[design - first, N_SAMPLES] = n_told
             n_rows += n_told
-            n_marks += int(told.designs[design, N_MARKS])
+            n_marks += int(told.designs[design - first, N_MARKS])
         return len(given.designs)
 
     through, looked_at = quick(run_parts, within=True), quick(times_to_look_at, within=True)

@@ -1,8 +1,9 @@
 """Starts of designs run together: what they have in common once, the rest in rows, and what the compiled loop tells."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,10 +34,24 @@ from cranktrain.transient.runs import each_apart, run
 from cranktrain.transient.step import N_STATE
 from cranktrain.transient.traced import N_TRACED
 
+AT_ONCE = 16
+"""Designs that are best run together: room for what is told of more is too large to be kept near."""
 _N_STEPS, _N_SAMPLES, _N_TOLD, _N_MARKS = 4096, 8192, 2500, 200
 """Room of a design for steps, and times that are looked at; that which is told of each on the mean, and its events."""
 _MOST_ROOM = 32
 """Times as much: what takes more goes alone."""
+
+
+class _BigRoom(NamedTuple):
+    """Room for steps, for samples, and for what is told of designs."""
+
+    steps: Array
+    samples: Array
+    told: Rows
+
+
+_left_rooms = list[_BigRoom]()
+"""Room that nobody uses just now: new memory takes as long as a run."""
 
 
 def ready_starts(cases: StartCases, parts: MovingParts) -> ReadyStarts:
@@ -77,22 +92,45 @@ def _in_common(case: StartCase) -> tuple[object, ...]:
 def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows]:
     """Run designs of one group, in their order; what takes too much room is run by itself.
 
-    docs/theory/transient, eqs. (26.7) to (26.14).
+    Arrays of what is given are used again when more is asked for. docs/theory/transient, eqs. (26.7) to (26.14).
     """
     own = [_case_of(cases, design) for design in designs]
     loop, given = row_of_starts(start_kernels(own[0].motor, is_compiled=True)), _together(own)
     first, times = 0, 1
     while first < len(own):
-        told = _room_to_tell(len(own), first, times)
-        after = loop(given, _room(given, times), told, first)
-        if after > first:
-            yield _rows_told(own[first:after], told, slice(first, after))
-            first, times = after, 1
-        elif times < _MOST_ROOM:
+        with _room_for(len(own) - first, times) as (steps, samples, told):
+            after = loop(given, _room(given, steps, samples), told, first)
+            if after > first:
+                yield _rows_told(own[first:after], told)
+                first, times = after, 1
+                continue
+        if times < _MOST_ROOM:
             times *= 2
         else:
             yield rows_of_one(ran_start(own[first], StartAsked()))
             first += 1
+
+
+@contextmanager
+def _room_for(n_designs: int, times: int) -> Generator[_BigRoom]:
+    """Lend room for steps and samples of one design after another, and to tell of some; the usual is used again."""
+    is_usual = times == 1 and n_designs <= AT_ONCE
+    room = _left_rooms.pop() if is_usual and _left_rooms else _big_room(max(n_designs, AT_ONCE), times)
+    yield room
+    if is_usual:
+        _left_rooms.append(room)
+
+
+def _big_room(n_designs: int, times: int) -> _BigRoom:
+    """Make room for designs, so many times as much as most of them need."""
+    n_samples, n_marks = times * _N_SAMPLES, n_designs * _N_MARKS + 2 * times * MOST_MARKS
+    n_rows = n_designs * _N_TOLD + n_samples
+    along = (np.empty(shape) for shape in (n_rows, (n_rows, N_STATE), n_rows, n_rows))
+    return _BigRoom(
+        np.empty((times * _N_STEPS, N_TRACED)),
+        np.empty((n_samples, 3 + N_STATE)),
+        Rows(np.empty((n_designs, 8)), *along, np.empty((n_marks, 4))),
+    )
 
 
 def _together(cases: Sequence[StartCase]) -> Together:
@@ -157,42 +195,28 @@ def _numbers(case: StartCase) -> DesignNumbers:
     )
 
 
-def _room(given: Together, times: int) -> Room:
+def _room(given: Together, steps: Array, samples: Array) -> Room:
     """Room for one design after another."""
-    n_samples = times * _N_SAMPLES
+    n_samples = len(samples)
+    apart = samples.reshape(-1)
+    each = (apart[place * n_samples : (place + 1) * n_samples] for place in range(3))
     return Room(
         room_for_a_course(),
         np.empty(given.machines.shape[1]),
         np.empty(N_STATE),
         np.empty(given.breaks.shape[1]),
-        np.empty((times * _N_STEPS, N_TRACED)),
+        steps,
         np.empty((MOST_PARTS, 8)),
         np.empty((MOST_PARTS, N_STATE)),
         np.empty((MOST_PARTS, N_STATE)),
-        np.empty(n_samples),
-        np.empty(n_samples),
-        np.empty(n_samples),
-        np.empty((n_samples, N_STATE)),
+        *each,
+        apart[3 * n_samples :].reshape(n_samples, N_STATE),
     )
 
 
-def _room_to_tell(n_designs: int, first: int, times: int) -> Rows:
-    """Room for what is told of designs from one on."""
-    n_left = n_designs - first
-    n_rows, n_marks = n_left * _N_TOLD + times * _N_SAMPLES, n_left * _N_MARKS + 2 * times * MOST_MARKS
-    return Rows(
-        np.empty((n_designs, 8)),
-        np.empty(n_rows),
-        np.empty((n_rows, N_STATE)),
-        np.empty(n_rows),
-        np.empty(n_rows),
-        np.empty((n_marks, 4)),
-    )
-
-
-def _rows_told(cases: Sequence[StartCase], told: Rows, own: slice) -> RanRows:
+def _rows_told(cases: Sequence[StartCase], told: Rows) -> RanRows:
     """What became of designs."""
-    *of_all, sizes, n_marks = told.designs[own].T
+    *of_all, sizes, n_marks = told.designs[: len(cases)].T
     sizes, n_marks = sizes.astype(np.intp), n_marks.astype(np.intp)
     rows, marks = slice(int(np.sum(sizes))), slice(int(np.sum(n_marks)))
     along = (told.time[rows], told.state[rows], told.torque[rows], told.inertia[rows])
