@@ -1,7 +1,7 @@
 """Facts of starts of many designs: made ready together, run one by one or compiled, and nothing else of them kept."""
 
 import os
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from multiprocessing import parent_process
@@ -205,7 +205,7 @@ def _each_made(
         with np.errstate(all="ignore"):
             groups = in_short.groups(left)
             left = sorted(set(left).difference(*groups))
-            yield from _together(in_short, groups, is_first=is_first)
+            yield from _together(in_short, groups, alone, is_first=is_first)
     yield from map(alone, left)
 
 
@@ -219,7 +219,11 @@ def _of_rows(ran: RanRows) -> _Made:
 
 
 def _together(
-    in_short: StartsInShort, groups: Sequence[Sequence[int]], *, is_first: bool
+    in_short: StartsInShort,
+    groups: Sequence[Sequence[int]],
+    alone: Callable[[int], tuple[Sequence[int], _Made]],
+    *,
+    is_first: bool,
 ) -> Iterator[tuple[Sequence[int], _Made]]:
     """Run groups of designs compiled, by several threads; the first of all alone, as it compiles or loads."""
     each = [group[at : at + AT_ONCE] for group in groups for at in range(0, len(group), AT_ONCE)]
@@ -228,8 +232,10 @@ def _together(
         made, first = list[tuple[Sequence[int], _Made]](), 0
         with np.errstate(all="ignore"):  # of each thread
             for ran in in_short.together(designs):
-                made.append((designs[first : first + len(ran.cases)], _of_rows(ran)))
-                first += len(ran.cases)
+                n_designs = 1 if ran is None else len(ran.cases)
+                own = designs[first : first + n_designs]
+                made.append(alone(own[0]) if ran is None else (own, _of_rows(ran)))
+                first += n_designs
         return made
 
     if is_first and each:

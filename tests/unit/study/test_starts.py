@@ -13,6 +13,7 @@ import cranktrain as ct
 from cranktrain.columns import in_columns
 from cranktrain.how_far import listened_to
 from cranktrain.machine import machine_problems
+from cranktrain.questions.start import together
 from cranktrain.study import facts_of_starts as road
 from cranktrain.study.sweep.machines import wrong_machines
 
@@ -108,6 +109,32 @@ def test_compiled_they_are_the_same_to_the_last_bit(monkeypatch):
     ):
         held_to_each_alone(ct.start(designs(name, *values)))
     assert road._compiled
+
+
+def test_compiled_there_is_room_for_what_takes_more(monkeypatch):
+    """Room grows with steps and samples; what takes far too much goes alone, and is refused as it is alone."""
+    pytest.importorskip("numba")
+    monkeypatch.setattr(road, "_COMPILING", 0.0)
+    monkeypatch.setattr(together, "_N_STEPS", 100)
+    monkeypatch.setattr(together, "_N_SAMPLES", 1500)
+    monkeypatch.setattr(together, "_left_rooms", [])
+    intervals = ("0.01 s", "0.001 s", "1e-7 s", "0.02 s")
+    found = ct.start(designs("compressor_start", *({"drive.start.interval": each} for each in intervals)))
+    assert list(found.refused) == [2]
+    assert found.refused[2].path == "drive.start.interval"
+    for place in (0, 1, 3):
+        alone = ct.start(found.machines[place])
+        for name in road.FACTS_SHOWN:
+            assert getattr(found, name)[place] == getattr(alone, name)
+
+
+def test_designs_of_several_machines_and_motors(monkeypatch):
+    """Each group is run together: strokes and sizes of motors that are mixed stand at their places."""
+    pytest.importorskip("numba")
+    monkeypatch.setattr(road, "_COMPILING", 0.0)
+    sizes, bores = ("1.5 kW", "2.2 kW", "1.5 kW", "2.2 kW"), ("3.125 in", "3.125 in", "3 in", "3.125 in")
+    values = [{"drive.motor.size": size, "cylinder.bore": bore} for size, bore in zip(sizes, bores, strict=True)]
+    held_to_each_alone(ct.start(designs("compressor_start", *values)))
 
 
 @pytest.mark.parametrize("wanted", [["start_duration", "energy_left_over"], ["effective_motor_torque", "event_time"]])

@@ -77,13 +77,26 @@ class DesignNumbers(NamedTuple):
 
 
 (
-    ANGLE, FIRST_SPEED, OFF, BACK, BRAKED, OVERSPEED, GAS_PRESSURE, INTERVAL, TOLERANCE, BRAKE_TORQUE, RISE_TIME, ON_CRANK,
-    HOLDS, SETTLES, STEADY_SPEED, CYCLE_TIME, TURNING, HAS_STAGE, RATIO, FORWARD, BACKWARD, DRAG, STAGE_INERTIA, MOTOR,
+    ANGLE, FIRST_SPEED, OFF, BACK, BRAKED, OVERSPEED, GAS_PRESSURE, INTERVAL, TOLERANCE, BRAKE_TORQUE, RISE_TIME,
+    ON_CRANK, HOLDS, SETTLES, STEADY_SPEED, CYCLE_TIME, TURNING, HAS_STAGE, RATIO, FORWARD, BACKWARD, DRAG,
+    STAGE_INERTIA, MOTOR,
 ) = range(len(DesignNumbers._fields))  # fmt: skip
 """Where these stand in the row of a design."""
 BEGINS, ENDS_AT, TARGET, WHICH, TO_REST = range(5)
 """Of a planned part of a run: from when, until when at most; the speed to reach; which machine, −1 for no part."""
-PART_BEGAN, PART_ENDS, PART_LASTED, FIRST_STEP, AFTER_STEP, FIRST_SAMPLE, AFTER_SAMPLE, HELD_ON = range(8)
+(
+    PART_BEGAN,
+    PART_ENDS,
+    PART_TARGET,
+    PART_TO_REST,
+    PART_LASTED,
+    FIRST_STEP,
+    AFTER_STEP,
+    FIRST_SAMPLE,
+    AFTER_SAMPLE,
+    HELD_ON,
+    N_PART,
+) = range(11)
 """Of a part that was run; whether the crank was held in it, when steps do not tell its states."""
 REASON, N_STEPS, LEFT_OVER, SUPPLIED, END_TIME, END_SPEED, N_SAMPLES, N_MARKS = range(8)
 """Of a design that was run: those of `Told`, and how many samples and events it has."""
@@ -152,116 +165,134 @@ class Rows(NamedTuple):
 
 
 def run_parts(
-    derive: Any, kernels: Any, given: Any, design: int, room: Any, told: Any, marks: Any, n_samples: int, first_mark: int
+    derive: Any,
+    kernels: Any,
+    given: Any,
+    design: int,
+    room: Any,
+    told: Any,
+    marks: Any,
+    n_samples: int,
+    first_mark: int,
 ) -> int:
     """Run a design part by part, each from where the last one ended; gives how many, or less than 1 for no room.
 
     Without samples, steps are kept; with them, states at the samples, in the table.
     """
-    own, course = given.designs[design], room.course
-    angle, speed, now, filled = own[ANGLE], own[FIRST_SPEED], 0.0, own[GAS_PRESSURE]
-    n_parts, n_steps, n_rows, n_marks, place, held_machine = 0, 0, 0, first_mark, 0, -1.0
-    until, is_more = 0.0, False
-    told[LEFT_OVER] = 0.0
-    told[SUPPLIED] = 0.0
-    while is_more or (place < given.spans.shape[1] and given.spans[design, place, WHICH] >= 0):
+    own, course, start = given.designs[design], room.course, room.start
+    now, until, place, which, filled = 0.0, 0.0, 0, -1.0, own[GAS_PRESSURE]
+    n_parts, n_steps, n_rows, n_marks = 0, 0, 0, first_mark
+    told[LEFT_OVER], told[SUPPLIED] = 0.0, 0.0
+    course.state[0], course.state[1] = own[ANGLE], own[FIRST_SPEED]
+    while now < until or is_planned(given, design, place):
         if n_parts == len(room.parts) or n_marks + MOST_MARKS > len(marks):
             return 0
-        end, target, which, to_rest = until, math.inf, held_machine, False
-        if not is_more:
+        end, target, to_rest, before = until, math.inf, False, which
+        if not now < until:
             planned = given.spans[design, place]
-            end, target, which, to_rest = planned[ENDS_AT], planned[TARGET], planned[WHICH], planned[TO_REST] > 0
+            end, target, to_rest = planned[ENDS_AT], planned[TARGET], planned[TO_REST] > 0
             place += 1
-        if to_rest and speed <= 0:
-            continue
-        if own[SETTLES] > 0 and is_there_already(speed, target):
+            if to_rest and course.state[1] <= 0:
+                continue
+            which = planned[WHICH]
+        if own[SETTLES] > 0 and is_there_already(course.state[1], target):
             target, end = math.inf, min(end, some_cycles_on(now, own[CYCLE_TIME]))
-        if which != held_machine:
+        if which != before:
             lay(given.machines[int(which)], room.machine)
-            filled_at(angle, room.machine, filled)
-            held_machine = which
+            filled_at(course.state[0], room.machine, filled)
         filled = math.nan
-        n_here = samples_within(room, n_samples, now, end)
-        lay_same(0.0, room.start)
-        room.start[0], room.start[1] = angle, speed
-        put_at_start(course, room.start)
-        train = TrainNumbers(
-            room.machine,
-            Switching(given.motor, own[OFF], own[BACK], now),
-            Braking(own[BRAKE_TORQUE], own[BRAKED] - now, own[RISE_TIME]),
-            BrakePlace(own[ON_CRANK], own[HOLDS]),
-            OneStage(
-                own[HAS_STAGE] > 0, own[RATIO], own[FORWARD], own[BACKWARD], own[DRAG], own[STAGE_INERTIA], own[MOTOR]
-            ),
-            given.lines[design],
-        )
-        most_reversals = 1 if to_rest else 1 * MOST_REVERSALS
-        limits = RunLimits(
-            end - now,
-            target,
-            own[OVERSPEED],
-            target < math.inf,
-            most_reversals,
-            1 * MOST_STEPS,
-            own[TOLERANCE],
-            now == now,
-        )
-        breaks = room.breaks[: breaks_within(given.breaks[design], room.breaks, now, end)]
-        asked = Wanted(room.start, limits, room.within[:n_here], breaks, given.corners, given.cycle, given.rows)
-        steps = room.steps[n_steps:] if n_samples == 0 else room.steps[:0]
-        reason = run_to_the_end(
-            derive,
-            kernels,
-            train,
-            asked,
-            course,
-            room.table[n_rows:],
-            marks[n_marks : n_marks + MOST_MARKS],
-            steps,
-            MOST_STEPS + 1,
-        )
+        lay_same(0.0, start)
+        start[0], start[1] = course.state[0], course.state[1]
+        put_at_start(course, start)
+        part, steps = room.parts[n_parts], room.steps[n_steps:] if n_samples == 0 else room.steps[:0]
+        part[PART_BEGAN], part[PART_ENDS], part[PART_TARGET], part[PART_TO_REST] = now, end, target, 1.0 * to_rest
+        train, asked = train_of(given, design, room, part), asked_of(given, design, room, part, n_samples)
+        table, own_marks = room.table[n_rows:], marks[n_marks : n_marks + MOST_MARKS]
+        reason = run_to_the_end(derive, kernels, train, asked, course, table, own_marks, steps, MOST_STEPS + 1)
         if n_samples == 0 and course.counts[ENDS] == len(steps):
             return 0
-        n_kept = course.counts[ENDS]
-        in_order(marks, n_marks, n_marks + course.counts[MARKS])
-        part = room.parts[n_parts]
-        part[PART_BEGAN], part[PART_ENDS], part[PART_LASTED] = now, end, course.here[TIME]
-        part[FIRST_STEP], part[AFTER_STEP], part[FIRST_SAMPLE] = n_steps, n_steps + n_kept, n_rows
-        part[AFTER_SAMPLE], part[HELD_ON] = n_rows + course.counts[SAMPLE], 1.0 if n_kept == 0 else 0.0
-        for mark in range(n_marks, n_marks + course.counts[MARKS]):
-            if marks[mark, 0] == endings.HELD:
-                part[HELD_ON] = 1.0
-            marks[mark, 1] += now
-        n_steps, n_rows, n_marks = n_steps + n_kept, int(part[AFTER_SAMPLE]), n_marks + course.counts[MARKS]
-        lay(course.state, room.ends[n_parts])
-        lay(room.start, room.starts[n_parts])
-        left_over, supplied = energy_account(
-            own[TURNING], (course.here[INERTIA_BEFORE], course.here[INERTIA_AFTER]), room.start, course.state
-        )
-        told[LEFT_OVER] += left_over
-        told[SUPPLIED] += supplied
+        note_part(room, n_parts, marks, n_marks, n_steps, n_rows)
+        n_steps, n_rows, n_marks = int(part[AFTER_STEP]), int(part[AFTER_SAMPLE]), n_marks + course.counts[MARKS]
         n_parts += 1
-        ended = now + course.here[TIME]
-        told[REASON], told[N_STEPS], told[END_TIME] = (
-            reason,
-            course.counts[STEPS],
-            ended,
-        )
-        told[END_SPEED], told[N_MARKS] = course.state[1], n_marks - first_mark
-        now = end if reason == endings.TIME_OUT else ended
-        is_last = not (place < given.spans.shape[1] and given.spans[design, place, WHICH] >= 0)
+        tell_end(own, course, start, told, reason, now + part[PART_LASTED])
+        told[N_MARKS] = n_marks - first_mark
+        now = end if reason == endings.TIME_OUT else told[END_TIME]
         until = now
-        if is_last and own[SETTLES] > 0:
-            speeds = (speed, course.state[1])
-            until = followed_until(reason, ended, target, speeds, own[STEADY_SPEED], own[CYCLE_TIME])
-        elif is_last:
-            until = ended
-        angle, speed = course.state[0], course.state[1]
-        is_more = now < until
+        if not is_planned(given, design, place):
+            until = told[END_TIME]
+            if own[SETTLES] > 0:
+                speeds = (start[1], course.state[1])
+                until = followed_until(reason, until, target, speeds, own[STEADY_SPEED], own[CYCLE_TIME])
         is_over = reason == endings.TIME_OUT or (to_rest and reason == endings.SWINGS)
-        if not is_more and not is_over:
+        if not now < until and not is_over:
             break
     return n_parts
+
+
+def is_planned(given: Any, design: int, place: int) -> bool:
+    """Whether there is a part of a run at a place."""
+    return place < given.spans.shape[1] and given.spans[design, place, WHICH] >= 0
+
+
+def train_of(given: Any, design: int, room: Any, part: Any) -> TrainNumbers:
+    """Numbers of a part for its kernels."""
+    own, began = given.designs[design], part[PART_BEGAN]
+    return TrainNumbers(
+        room.machine,
+        Switching(given.motor, own[OFF], own[BACK], began),
+        Braking(own[BRAKE_TORQUE], own[BRAKED] - began, own[RISE_TIME]),
+        BrakePlace(own[ON_CRANK], own[HOLDS]),
+        OneStage(
+            own[HAS_STAGE] > 0, own[RATIO], own[FORWARD], own[BACKWARD], own[DRAG], own[STAGE_INERTIA], own[MOTOR]
+        ),
+        given.lines[design],
+    )
+
+
+def asked_of(given: Any, design: int, room: Any, part: Any, n_samples: int) -> Wanted:
+    """What is wanted of a part."""
+    own, began, ends, target = given.designs[design], part[PART_BEGAN], part[PART_ENDS], part[PART_TARGET]
+    is_timed = began <= ends
+    limits = RunLimits(
+        ends - began,
+        target,
+        own[OVERSPEED],
+        target < math.inf,
+        1 if part[PART_TO_REST] > 0 else 1 * MOST_REVERSALS,
+        1 * MOST_STEPS,
+        own[TOLERANCE],
+        is_timed,
+    )
+    samples = room.within[: samples_within(room, n_samples, began, ends)]
+    breaks = room.breaks[: breaks_within(given.breaks[design], room.breaks, began, ends)]
+    return Wanted(room.start, limits, samples, breaks, given.corners, given.cycle, given.rows)
+
+
+def note_part(room: Any, which: int, marks: Any, first_mark: int, first_step: int, first_row: int) -> None:
+    """Write down where a part that was run begins and ends, and its events in their order, times counted on."""
+    part, counts = room.parts[which], room.course.counts
+    after_mark = first_mark + counts[MARKS]
+    part[PART_LASTED] = room.course.here[TIME]
+    part[FIRST_STEP], part[AFTER_STEP] = first_step, first_step + counts[ENDS]
+    part[FIRST_SAMPLE], part[AFTER_SAMPLE] = first_row, first_row + counts[SAMPLE]
+    part[HELD_ON] = 1.0 if counts[ENDS] == 0 else 0.0
+    in_order(marks, first_mark, after_mark)
+    for mark in range(first_mark, after_mark):
+        if marks[mark, 0] == endings.HELD:
+            part[HELD_ON] = 1.0
+        marks[mark, 1] += part[PART_BEGAN]
+    lay(room.start, room.starts[which])
+    lay(room.course.state, room.ends[which])
+
+
+def tell_end(own: Any, course: Any, start: Any, told: Any, reason: int, ended: float) -> None:
+    """Tell how a part ended, and add up its energy."""
+    inertias = (course.here[INERTIA_BEFORE], course.here[INERTIA_AFTER])
+    left_over, supplied = energy_account(own[TURNING], inertias, start, course.state)
+    told[LEFT_OVER] += left_over
+    told[SUPPLIED] += supplied
+    told[REASON], told[N_STEPS] = reason, course.counts[STEPS]
+    told[END_TIME], told[END_SPEED] = ended, course.state[1]
 
 
 def lay(numbers: Any, room: Any) -> None:
@@ -307,11 +338,11 @@ def in_order(marks: Any, first: int, after: int) -> None:
 
 
 def times_to_look_at(kernels: Any, given: Any, design: int, room: Any, n_parts: int, end: float) -> int:
-    """Lay down the times at which a run is looked at, rising, each once; gives how many, less than 1 for no room. [s]"""
+    """Lay down the times at which a run is looked at, rising, each once; gives how many, 0 for no room. [s]"""
     own = given.designs[design]
     if end / own[INTERVAL] > len(room.samples):
         return 0
-    n_asked = 0 if own[INTERVAL] == math.inf else int(math.floor(end / own[INTERVAL] + 1))
+    n_asked = 0 if own[INTERVAL] == math.inf else math.floor(end / own[INTERVAL] + 1)
     n_close = close_times_of(kernels, given, own, room, n_parts)
     if n_close < 1 or N_EVEN + n_asked + n_close > len(room.samples):
         return 0
@@ -412,10 +443,10 @@ def tell(kernels: Any, given: Any, design: int, room: Any, told: Any, n_parts: i
 
 def is_told_by_steps(room: Any, n_parts: int) -> bool:
     """Whether steps tell all states of a run: not where the crank was held."""
+    is_told = True
     for which in range(n_parts):
-        if room.parts[which, HELD_ON] > 0:
-            return False
-    return True
+        is_told = is_told and room.parts[which, HELD_ON] == 0
+    return is_told
 
 
 @cache
@@ -426,7 +457,9 @@ def row_of_starts(kernels: Kernels) -> Any:
     def run_row(given: Together, room: Room, told: Rows, first: int) -> int:
         n_rows, n_marks, nothing = 0 * first, 0 * first, 0 * first
         for design in range(first, len(given.designs)):
-            n_parts = through(derive, own, given, design, room, told.designs[design - first], told.marks, nothing, n_marks)
+            n_parts = through(
+                derive, own, given, design, room, told.designs[design - first], told.marks, nothing, n_marks
+            )
             if n_parts < 1:
                 return design
             n_samples = looked_at(own, given, design, room, n_parts, told.designs[design - first, END_TIME])

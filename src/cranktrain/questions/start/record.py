@@ -272,13 +272,13 @@ class StartsInShort:
     groups : callable
         Which of some designs can be run together, compiled: their places, group by group.
     together : callable
-        Runs those of a group so, or some of it in their order.
+        Runs those of a group so, or some of it in their order; None of one that is to be run alone.
     """
 
     kernels: Kernels
     alone: Callable[[int], RanRows]
     groups: Callable[[Sequence[int]], list[list[int]]]
-    together: Callable[[Sequence[int]], Iterator[RanRows]]
+    together: Callable[[Sequence[int]], Iterator[RanRows | None]]
 
 
 @record

@@ -16,6 +16,7 @@ from cranktrain.questions.start.case import StartCase, StartCases, start_kernels
 from cranktrain.questions.start.in_row import (
     MOST_MARKS,
     MOST_PARTS,
+    N_PART,
     DesignNumbers,
     Room,
     Rows,
@@ -38,7 +39,7 @@ AT_ONCE = 16
 """Designs that are best run together: room for what is told of more is too large to be kept near."""
 _N_STEPS, _N_SAMPLES, _N_TOLD, _N_MARKS = 4096, 8192, 2500, 200
 """Room of a design for steps, and times that are looked at; that which is told of each on the mean, and its events."""
-_MOST_ROOM = 32
+_MOST_ROOM = 16
 """Times as much: what takes more goes alone."""
 
 
@@ -89,8 +90,8 @@ def _in_common(case: StartCase) -> tuple[object, ...]:
     return id(case.machine), id(case.motor), *corners
 
 
-def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows]:
-    """Run designs of one group, in their order; what takes too much room is run by itself.
+def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows | None]:
+    """Run designs of one group, in their order; None of one that takes too much room.
 
     Arrays of what is given are used again when more is asked for. docs/theory/transient, eqs. (26.7) to (26.14).
     """
@@ -107,7 +108,7 @@ def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows
         if times < _MOST_ROOM:
             times *= 2
         else:
-            yield rows_of_one(ran_start(own[first], StartAsked()))
+            yield None
             first += 1
 
 
@@ -206,7 +207,7 @@ def _room(given: Together, steps: Array, samples: Array) -> Room:
         np.empty(N_STATE),
         np.empty(given.breaks.shape[1]),
         steps,
-        np.empty((MOST_PARTS, 8)),
+        np.empty((MOST_PARTS, N_PART)),
         np.empty((MOST_PARTS, N_STATE)),
         np.empty((MOST_PARTS, N_STATE)),
         *each,
