@@ -82,8 +82,8 @@ class DesignNumbers(NamedTuple):
     STAGE_INERTIA, MOTOR,
 ) = range(len(DesignNumbers._fields))  # fmt: skip
 """Where these stand in the row of a design."""
-BEGINS, ENDS_AT, TARGET, WHICH, TO_REST = range(5)
-"""Of a planned part of a run: from when, until when at most; the speed to reach; which machine, −1 for no part."""
+ENDS_AT, TARGET, WHICH, TO_REST = range(4)
+"""Of a planned part of a run: until when at most; the speed to reach; which machine, −1 for no part."""
 (
     PART_BEGAN,
     PART_ENDS,
@@ -120,7 +120,8 @@ class Together(NamedTuple):
         Of `DesignNumbers`.
     lines : Array, shape (design, pattern, column)
         Of several stages.
-    spans : Array, shape (design, part, 5)
+    spans : Array, shape (design, part, 4)
+        Planned parts of a run.
     breaks : Array, shape (design, n)
         Rising. [s]
     """

@@ -116,7 +116,10 @@ def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows
 def _room_for(n_designs: int, times: int) -> Generator[_BigRoom]:
     """Lend room for steps and samples of one design after another, and to tell of some; the usual is used again."""
     is_usual = times == 1 and n_designs <= AT_ONCE
-    room = _left_rooms.pop() if is_usual and _left_rooms else _big_room(max(n_designs, AT_ONCE), times)
+    try:
+        room = _left_rooms.pop() if is_usual else _big_room(n_designs, times)
+    except IndexError:  # all of it is lent: asked for beforehand, another thread might take the last
+        room = _big_room(AT_ONCE, 1)
     yield room
     if is_usual:
         _left_rooms.append(room)
@@ -146,7 +149,7 @@ def _together(cases: Sequence[StartCase]) -> Together:
         float(first.cycle),
         np.array([_numbers(case) for case in cases]),
         np.stack([lines_of(case.gearing) for case in cases]),
-        _filled(parts, (0.0, 0.0, 0.0, -1.0, 0.0)),
+        _filled(parts, (0.0, 0.0, -1.0, 0.0)),
         _filled(breaks, np.inf),
     )
 
@@ -154,8 +157,7 @@ def _together(cases: Sequence[StartCase]) -> Together:
 def _parts(case: StartCase) -> list[tuple[float, ...]]:
     """Planned parts of a run, in numbers."""
     return [
-        (span.start, span.end, span.target, float(span.machine is not case.machine), float(span.to_rest))
-        for span in spans_of(case)
+        (span.end, span.target, float(span.machine is not case.machine), float(span.to_rest)) for span in spans_of(case)
     ]
 
 
