@@ -116,7 +116,7 @@ def test_a_start_without_a_drive_is_told_with_the_file(typed):
 
 
 def test_a_start_ends_after_so_many_steps(typed, monkeypatch):
-    monkeypatch.setattr(starting, "_MOST_STEPS", 50)
+    monkeypatch.setattr(starting, "MOST_STEPS", 50)
     answer = typed("start", "tilting_table")
     assert "60000 steps are over, the most of a start" in " ".join(answer.output.split())
     assert "in 50 steps" in answer.output

@@ -92,7 +92,7 @@ def test_a_crank_that_is_held_is_a_result():
 def test_a_crank_that_runs_away_is_a_result(monkeypatch):
     """With the motor off a load drives it into a dead position, where it has no inertia: no step is short enough."""
     pytest.importorskip("scipy")
-    monkeypatch.setattr("cranktrain.questions.start.starting._MOST_STEPS", 2000)
+    monkeypatch.setattr("cranktrain.questions.start.starting.MOST_STEPS", 2000)
     driven = rocker("0 kg*m^2").with_({"load.work.sense": "active", "drive.start.motor_off": "1 s"})
     found = ct.start(driven)
     assert "steps" in str(found.run.reason)

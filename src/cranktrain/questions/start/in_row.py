@@ -5,15 +5,71 @@ Each is run, and looked at, as `starting` does it with one alone: of both every 
 
 import math
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
-from cranktrain.motion import Array
 from cranktrain.questions.start.case import Braking, Switching
-from cranktrain.questions.start.curves import N_CLOSE, QUICKLY
+from cranktrain.questions.start.rows_of_designs import (
+    AFTER_SAMPLE,
+    AFTER_STEP,
+    ANGLE,
+    BACK,
+    BACKWARD,
+    BRAKE_TORQUE,
+    BRAKED,
+    CYCLE_TIME,
+    DRAG,
+    END_SPEED,
+    END_TIME,
+    ENDS_AT,
+    FIRST_SAMPLE,
+    FIRST_SPEED,
+    FIRST_STEP,
+    FORWARD,
+    GAS_PRESSURE,
+    HAS_STAGE,
+    HELD_ON,
+    HOLDS,
+    LEFT_OVER,
+    MOST_MARKS,
+    MOTOR,
+    N_MARKS,
+    N_SAMPLES,
+    N_STEPS,
+    OFF,
+    ON_CRANK,
+    OVERSPEED,
+    PART_BEGAN,
+    PART_ENDS,
+    PART_LASTED,
+    PART_TARGET,
+    PART_TO_REST,
+    RATIO,
+    REASON,
+    RISE_TIME,
+    SETTLES,
+    STAGE_INERTIA,
+    STEADY_SPEED,
+    SUPPLIED,
+    TARGET,
+    TO_REST,
+    TOLERANCE,
+    TURNING,
+    WHICH,
+    Room,
+    Rows,
+    Together,
+)
+from cranktrain.questions.start.samples_in_row import (
+    lay,
+    lay_same,
+    samples_within,
+    states_from_steps,
+    tell,
+    times_to_look_at,
+)
 from cranktrain.questions.start.spans import (
     MOST_REVERSALS,
     MOST_STEPS,
-    N_EVEN,
     followed_until,
     is_there_already,
     some_cycles_on,
@@ -28,141 +84,14 @@ from cranktrain.transient.course import (
     SAMPLE,
     STEPS,
     TIME,
-    Course,
     put_at_start,
 )
 from cranktrain.transient.endings import RunLimits
-from cranktrain.transient.equation import MOTOR_WORK, SPEED, BrakePlace, Kernels, TrainNumbers, joined
+from cranktrain.transient.equation import BrakePlace, Kernels, TrainNumbers, joined
 from cranktrain.transient.law import OneStage
-from cranktrain.transient.reduced import filled_at, inertia_at
+from cranktrain.transient.reduced import filled_at
 from cranktrain.transient.runs import Wanted, energy_account
-from cranktrain.transient.step import N_STATE
-from cranktrain.transient.traced import SPEED_AFTER, TIME_AFTER, fill_one_by_one
 from cranktrain.transient.transient import run_to_the_end
-
-MOST_PARTS = 32
-"""Parts of a run; those of more go alone."""
-
-
-class DesignNumbers(NamedTuple):
-    """Numbers of a design, in a row; see `StartCase`, `StartOrders` and `OneStage`.
-
-    `angle` is the crank's own at the beginning. [rad] `has_stage`, `settles`: 1 for true.
-    """
-
-    angle: float
-    speed: float
-    off: float
-    back: float
-    braked: float
-    overspeed: float
-    gas_pressure: float
-    interval: float
-    tolerance: float
-    brake_torque: float
-    rise_time: float
-    on_crank: float
-    holds: float
-    settles: float
-    steady_speed: float
-    cycle_time: float
-    turning: float
-    has_stage: float
-    ratio: float
-    forward: float
-    backward: float
-    drag: float
-    stage_inertia: float
-    motor: float
-
-
-(
-    ANGLE, FIRST_SPEED, OFF, BACK, BRAKED, OVERSPEED, GAS_PRESSURE, INTERVAL, TOLERANCE, BRAKE_TORQUE, RISE_TIME,
-    ON_CRANK, HOLDS, SETTLES, STEADY_SPEED, CYCLE_TIME, TURNING, HAS_STAGE, RATIO, FORWARD, BACKWARD, DRAG,
-    STAGE_INERTIA, MOTOR,
-) = range(len(DesignNumbers._fields))  # fmt: skip
-"""Where these stand in the row of a design."""
-ENDS_AT, TARGET, WHICH, TO_REST = range(4)
-"""Of a planned part of a run: until when at most; the speed to reach; which machine, −1 for no part."""
-(
-    PART_BEGAN,
-    PART_ENDS,
-    PART_TARGET,
-    PART_TO_REST,
-    PART_LASTED,
-    FIRST_STEP,
-    AFTER_STEP,
-    FIRST_SAMPLE,
-    AFTER_SAMPLE,
-    HELD_ON,
-    N_PART,
-) = range(11)
-"""Of a part that was run; whether the crank was held in it, when steps do not tell its states."""
-REASON, N_STEPS, LEFT_OVER, SUPPLIED, END_TIME, END_SPEED, N_SAMPLES, N_MARKS = range(8)
-"""Of a design that was run: those of `Told`, and how many samples and events it has."""
-MOST_MARKS = 2000
-"""Events of a part that are written down."""
-
-
-class Together(NamedTuple):
-    """What designs have in common, and the numbers of each.
-
-    Attributes
-    ----------
-    machines : Array, shape (2, number)
-        Of the machine, and as it is with its valves held open.
-    motor : NamedTuple of floats
-    corners, rows : Array
-        As of `StartCase`. [rad]
-    cycle : float
-        [rad]
-    designs : Array, shape (design, number)
-        Of `DesignNumbers`.
-    lines : Array, shape (design, pattern, column)
-        Of several stages.
-    spans : Array, shape (design, part, 4)
-        Planned parts of a run.
-    breaks : Array, shape (design, n)
-        Rising. [s]
-    """
-
-    machines: Array
-    motor: Any
-    corners: Array
-    rows: Array
-    cycle: float
-    designs: Array
-    lines: Array
-    spans: Array
-    breaks: Array
-
-
-class Room(NamedTuple):
-    """Where a design is computed: a course, numbers of a machine, and what one run and its samples need."""
-
-    course: Course
-    machine: Array
-    start: Array
-    breaks: Array
-    steps: Array
-    parts: Array
-    starts: Array
-    ends: Array
-    samples: Array
-    close: Array
-    within: Array
-    table: Array
-
-
-class Rows(NamedTuple):
-    """What is told of designs: a row of each; samples and events one behind the other."""
-
-    designs: Array
-    time: Array
-    state: Array
-    torque: Array
-    inertia: Array
-    marks: Array
 
 
 def run_parts(
@@ -296,28 +225,6 @@ def tell_end(own: Any, course: Any, start: Any, told: Any, reason: int, ended: f
     told[END_TIME], told[END_SPEED] = ended, course.state[1]
 
 
-def lay(numbers: Any, room: Any) -> None:
-    """Put numbers to where there is room for them."""
-    for at in range(len(numbers)):
-        room[at] = numbers[at]
-
-
-def lay_same(number: float, room: Any) -> None:
-    """The same of one number."""
-    for at in range(len(room)):
-        room[at] = number
-
-
-def samples_within(room: Any, n_samples: int, begin: float, end: float) -> int:
-    """Lay down the samples of a part of a run, from its beginning on; gives how many. [s]"""
-    n_here = 0
-    for at in range(n_samples):
-        if begin <= room.samples[at] <= end:
-            room.within[n_here] = room.samples[at] - begin
-            n_here += 1
-    return n_here
-
-
 def breaks_within(breaks: Any, own: Any, begin: float, end: float) -> int:
     """The same of times at which motor or brake jump: those between its ends."""
     n_here = 0
@@ -336,110 +243,6 @@ def in_order(marks: Any, first: int, after: int) -> None:
             for column in range(4):
                 marks[at - 1, column], marks[at, column] = marks[at, column], marks[at - 1, column]
             at -= 1
-
-
-def times_to_look_at(kernels: Any, given: Any, design: int, room: Any, n_parts: int, end: float) -> int:
-    """Lay down the times at which a run is looked at, rising, each once; gives how many, 0 for no room. [s]"""
-    own = given.designs[design]
-    if end / own[INTERVAL] > len(room.samples):
-        return 0
-    n_asked = 0 if own[INTERVAL] == math.inf else math.floor(end / own[INTERVAL] + 1)
-    n_close = close_times_of(kernels, given, own, room, n_parts)
-    if n_close < 1 or N_EVEN + n_asked + n_close > len(room.samples):
-        return 0
-    step = end / (N_EVEN - 1)
-    even, asked, close, n_found, last = 0, 0, 0, 0, -1.0
-    while even < N_EVEN or asked < n_asked or close < n_close:
-        at_even = (end if even == N_EVEN - 1 else even * step) if even < N_EVEN else math.inf
-        at_asked = asked * own[INTERVAL] if asked < n_asked else math.inf
-        at_close = room.close[close] if close < n_close else math.inf
-        if at_even <= at_asked and at_even <= at_close:
-            at = at_even
-            even += 1
-        elif at_asked <= at_close:
-            at = at_asked
-            asked += 1
-        else:
-            at = at_close
-            close += 1
-        if at != last:
-            room.samples[n_found] = at
-            n_found += 1
-            last = at
-    return n_found
-
-
-def close_times_of(kernels: Any, given: Any, own: Any, room: Any, n_parts: int) -> int:
-    """The same of times at which steps end, and closer ones where the motor's torque changes quickly."""
-    motor = Switching(given.motor, own[OFF], own[BACK], 0.0)
-    n_steps, largest, is_known = int(room.parts[n_parts - 1, AFTER_STEP]), 0.0, True
-    if n_steps > len(room.table):
-        return 0
-    for which in range(n_parts):
-        part = room.parts[which]
-        for row in range(int(part[FIRST_STEP]), int(part[AFTER_STEP])):
-            time = room.steps[row, TIME_AFTER] + part[PART_BEGAN]
-            torque = kernels.motor(room.steps[row, SPEED_AFTER] * own[RATIO], time, motor)
-            room.table[row, 0], room.table[row, 1] = time, torque
-            largest = max(largest, abs(torque))
-            is_known = is_known and torque == torque
-    n_found, most = 0, QUICKLY * largest
-    for row in range(n_steps):
-        is_close = False
-        for beside in range(max(row - 1, 0), min(row + 2, n_steps - 1)):
-            is_close = is_close or abs(room.table[beside + 1, 1] - room.table[beside, 1]) > most
-        n_here = N_CLOSE - 1 if is_close and is_known and row < n_steps - 1 else 1
-        if n_found + n_here > len(room.close):
-            return 0
-        time = room.table[row, 0]
-        width = room.table[row + 1, 0] - time if n_here > 1 else 0.0
-        for at in range(n_here):
-            room.close[n_found] = time + width * (at / (N_CLOSE - 1))
-            n_found += 1
-    return n_found
-
-
-def states_from_steps(room: Any, n_parts: int, n_samples: int) -> None:
-    """Lay down the states of all parts at the samples, by their steps."""
-    n_rows = 0
-    for which in range(n_parts):
-        part, table = room.parts[which], room.table[n_rows:]
-        n_here = samples_within(room, n_samples, part[PART_BEGAN], part[PART_ENDS])
-        n_before = 0
-        while n_before < n_here and room.within[n_before] <= 0.0:
-            for component in range(N_STATE):
-                table[n_before, component] = room.starts[which, component]
-            n_before += 1
-        steps = room.steps[int(part[FIRST_STEP]) : int(part[AFTER_STEP])]
-        part[FIRST_SAMPLE] = n_rows
-        n_rows += fill_one_by_one(steps, room.within[:n_here], n_before, table)
-        part[AFTER_SAMPLE] = n_rows
-
-
-def tell(kernels: Any, given: Any, design: int, room: Any, told: Any, n_parts: int, n_samples: int, first: int) -> int:
-    """Tell a design's samples from a row on, times counted on and works added up; gives how many, less for no room."""
-    own, row = given.designs[design], first
-    motor = Switching(given.motor, own[OFF], own[BACK], 0.0)
-    lay_same(0.0, room.start)
-    for which in range(n_parts):
-        part = room.parts[which]
-        n_here = samples_within(room, n_samples, part[PART_BEGAN], part[PART_ENDS])
-        first_here = int(part[FIRST_SAMPLE])
-        for at in range(min(n_here, int(part[AFTER_SAMPLE]) - first_here)):
-            since = room.within[at]
-            if which < n_parts - 1 and not since < part[PART_LASTED]:
-                continue
-            if row == len(told.time):
-                return -1
-            for component in range(N_STATE):
-                told.state[row, component] = room.table[first_here + at, component] + room.start[component]
-            told.time[row] = since + part[PART_BEGAN]
-            told.torque[row] = kernels.motor(told.state[row, SPEED] * own[RATIO], told.time[row], motor)
-            told.inertia[row] = inertia_at(told.state[row, 0], given.machines[0])
-            row += 1
-        for component in range(MOTOR_WORK, N_STATE):
-            room.start[component] += room.ends[which, component]
-    return row - first
 
 
 def is_told_by_steps(room: Any, n_parts: int) -> bool:

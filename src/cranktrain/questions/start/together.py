@@ -13,7 +13,11 @@ from cranktrain.motion import Array
 from cranktrain.questions.reduction.unloaded import with_open_valves
 from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.case import StartCase, StartCases, start_kernels
-from cranktrain.questions.start.in_row import (
+from cranktrain.questions.start.in_row import row_of_starts
+from cranktrain.questions.start.many import rows_of_one
+from cranktrain.questions.start.method import method_of
+from cranktrain.questions.start.record import RanRows, ReadyStarts, StartRun, StartsInShort, Told
+from cranktrain.questions.start.rows_of_designs import (
     MOST_MARKS,
     MOST_PARTS,
     N_PART,
@@ -21,11 +25,7 @@ from cranktrain.questions.start.in_row import (
     Room,
     Rows,
     Together,
-    row_of_starts,
 )
-from cranktrain.questions.start.many import rows_of_one
-from cranktrain.questions.start.method import method_of
-from cranktrain.questions.start.record import RanRows, ReadyStarts, StartRun, StartsInShort, Told
 from cranktrain.questions.start.starting import breaks_of, ran_start, run_start, spans_of
 from cranktrain.transient.course import room_for_a_course
 from cranktrain.transient.gearing import turning_inertia
