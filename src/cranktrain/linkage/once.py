@@ -50,7 +50,7 @@ def how_compiled() -> HowCompiled:
             """Take in what it calls, and of parts what these call."""
             if library in self._linking_libraries:
                 return
-            super().add_linking_library(library)
+            library_class.add_linking_library(self, library)
             for each in library._linking_libraries if isinstance(library, Part) else ():
                 self.add_linking_library(each)
 
@@ -59,7 +59,7 @@ def how_compiled() -> HowCompiled:
             """Numba's own, but for where it puts what it makes."""
 
             def __init__(self, typingctx: Any, targetctx: Any, *more: Any) -> None:
-                super().__init__(typingctx, targetctx, *more)
+                compiler_class.__init__(self, typingctx, targetctx, *more)
                 self.state.library = kind(targetctx.codegen(), "own")
                 self.state.library.enable_object_caching()
 

@@ -48,8 +48,9 @@ def course_from(start: Array, is_compiled: bool) -> Course:
 
 def room_for_a_course() -> Course:
     """Arrays in which a run stands."""
-    each = (np.zeros(N_STATE) for _part in range(3))
-    return Course(np.zeros(8), np.zeros(7, dtype=np.int64), *each, np.zeros(7 * ROW), np.zeros(7 * ROW))
+    state, ahead, trial = np.zeros((3, N_STATE))
+    slopes, again = np.zeros((2, 7 * ROW))
+    return Course(np.zeros(8), np.zeros(7, dtype=np.int64), state, ahead, trial, slopes, again)
 
 
 def put_at_start(course: Any, start: Any) -> None:

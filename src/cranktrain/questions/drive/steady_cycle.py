@@ -75,7 +75,7 @@ class SpeedOverTurn:
         """Speed at any crank angles of the cycle, shape (n,). [rad/s]"""
         start, width = self.mesh.start, self.mesh.width
         along = np.mod(angle - start[0], np.sum(width)) + start[0]
-        piece = np.searchsorted(start[1:], along, side="right")
+        piece = np.asarray(np.searchsorted(start[1:], along, side="right"), dtype=np.intp)
         return np.sqrt(2 * (self.base + self.in_piece(piece, (along - start[piece]) / width[piece])))
 
 

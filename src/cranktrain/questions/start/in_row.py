@@ -282,5 +282,6 @@ def row_of_starts(kernels: Kernels) -> Any:
         return len(given.designs)
 
     through, looked_at = quick(run_parts, within=True), quick(times_to_look_at, within=True)
-    by_steps, fill, write = (quick(one, within=True) for one in (is_told_by_steps, states_from_steps, tell))
+    by_steps, fill = quick(is_told_by_steps, within=True), quick(states_from_steps, within=True)
+    write = quick(tell, within=True)
     return kept(run_row)

@@ -57,8 +57,9 @@ _left_rooms = list[_BigRoom]()
 
 def ready_starts(cases: StartCases, parts: MovingParts) -> ReadyStarts:
     """Runs from rest; docs/theory/transient, eqs. (26.7) to (26.13)."""
-    in_short = (partial(each, cases) for each in (_ran, _in_groups, _ran_together))
-    return ReadyStarts(partial(_run, cases), StartsInShort(start_kernels(parts.motor, is_compiled=True), *in_short))
+    kernels = start_kernels(parts.motor, is_compiled=True)
+    in_short = StartsInShort(kernels, partial(_ran, cases), partial(_in_groups, cases), partial(_ran_together, cases))
+    return ReadyStarts(partial(_run, cases), in_short)
 
 
 def _run(cases: StartCases, design: int, asked: StartAsked) -> StartRun:
@@ -129,11 +130,11 @@ def _big_room(n_designs: int, times: int) -> _BigRoom:
     """Make room for designs, so many times as much as most of them need."""
     n_samples, n_marks = times * _N_SAMPLES, n_designs * _N_MARKS + 2 * times * MOST_MARKS
     n_rows = n_designs * _N_TOLD + n_samples
-    along = (np.empty(shape) for shape in (n_rows, (n_rows, N_STATE), n_rows, n_rows))
+    time, torque, inertia = np.empty((3, n_rows))
     return _BigRoom(
         np.empty((times * _N_STEPS, N_TRACED)),
         np.empty((n_samples, 3 + N_STATE)),
-        Rows(np.empty((n_designs, 8)), *along, np.empty((n_marks, 4))),
+        Rows(np.empty((n_designs, 8)), time, np.empty((n_rows, N_STATE)), torque, inertia, np.empty((n_marks, 4))),
     )
 
 
@@ -202,7 +203,7 @@ def _room(given: Together, steps: Array, samples: Array) -> Room:
     """Room for one design after another."""
     n_samples = len(samples)
     apart = samples.reshape(-1)
-    each = (apart[place * n_samples : (place + 1) * n_samples] for place in range(3))
+    times, close, within = apart[: 3 * n_samples].reshape(3, n_samples)
     return Room(
         room_for_a_course(),
         np.empty(given.machines.shape[1]),
@@ -212,7 +213,9 @@ def _room(given: Together, steps: Array, samples: Array) -> Room:
         np.empty((MOST_PARTS, N_PART)),
         np.empty((MOST_PARTS, N_STATE)),
         np.empty((MOST_PARTS, N_STATE)),
-        *each,
+        times,
+        close,
+        within,
         apart[3 * n_samples :].reshape(n_samples, N_STATE),
     )
 
