@@ -650,6 +650,8 @@ export interface DrawnHandle {
   readonly mechanism: string;
   readonly pin: string;
   readonly numbers: readonly (HandledNumber)[];
+  readonly at: Numbers | null;
+  readonly slides: string;
 }
 
 export interface HandledNumber {

@@ -29,7 +29,8 @@ export function picture(name: string, box: readonly [number, number, number, num
   const made = svg("svg", attributes, ...children);
   new ResizeObserver(() => {
     const { width, height } = made.getBoundingClientRect();
-    const scale = Math.min(width / box[2], height / box[3]);
+    const shown = made.viewBox.baseVal;
+    const scale = Math.min(width / shown.width, height / shown.height);
     const pixel = `${(1 / scale).toFixed(4)}px`;
     if (scale > 0 && made.style.getPropertyValue("--pixel") !== pixel) made.style.setProperty("--pixel", pixel);
   }).observe(made);

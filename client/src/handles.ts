@@ -39,7 +39,7 @@ export interface Around {
 }
 
 interface Drag {
-  readonly handle: Pick<DrawnHandle, "mechanism" | "pin">;
+  readonly handle: DrawnHandle;
   readonly view: View;
   readonly old: SVGElement[];
   /** Where on the window the pointer is, and by how much it missed the pin, in the units of the picture. */
@@ -149,7 +149,7 @@ export class Handles {
     const { stage, mechanism, angle, stop } = this.around;
     stop();
     stage.setPointerCapture(event.pointerId);
-    const pin = mechanism().pinOf(handle, angle());
+    const pin = mechanism().placeOf(handle, angle());
     const at = mechanism().place(event.clientX, event.clientY);
     this.drag = {
       handle,
@@ -201,7 +201,7 @@ export class Handles {
     const handle = this.found.find((one) => one.mechanism === drag.handle.mechanism && one.pin === drag.handle.pin);
     if (!handle || !this.editing || drag.times++ >= MOST_TIMES) return false;
     const at = mechanism().place(drag.pointer.x, drag.pointer.y);
-    const pin = mechanism().pinOf(handle, angle());
+    const pin = mechanism().placeOf(handle, angle());
     const by = mechanism().inMetres({ x: at.x - drag.missed.x - pin.x, y: at.y - drag.missed.y - pin.y });
     const turned = ((angle() % TURN) + TURN) % TURN;
     const slopes = handle.numbers.map((one) => ({ x: between(row(one.slope, 0), TURN, turned), y: between(row(one.slope, 1), TURN, turned) }));

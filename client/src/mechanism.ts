@@ -25,8 +25,9 @@ const CLEARANCE = 0.02;
 const RING = 1.6;
 const ABOUT_RING = 1.9;
 
-/** Of a pin that may be moved. */
+/** Of a pin that may be moved, and room for it where it stands beyond the drawing. */
 const RING_OF_HANDLE = 10;
+const ROOM_OF_HANDLE = 16;
 
 /** From where to where the arrow of turning goes along the ring, from its zero. [rad] */
 const TURNING = [2.2, 2.9] as const;
@@ -75,10 +76,10 @@ export class Mechanism {
   private readonly layer = svg("g", {});
   private readonly held = svg("g", {});
   private readonly marks = svg("g", { class: "marks" });
-  private rings: { readonly ring: SVGElement; readonly one: DrawnHandle }[] = [];
+  private rings: { readonly ring: SVGElement; readonly axis: SVGElement; readonly one: DrawnHandle }[] = [];
   private vectors: DrawnVectors | null = null;
   private shown = 0;
-  readonly view: View;
+  private readonly fitted: View;
   private readonly scale: number;
   private readonly shifts: ReadonlyMap<string, Point>;
 
@@ -86,8 +87,8 @@ export class Mechanism {
     this.drawing = drawing;
     this.cycle = at(drawing.crank_angle, drawing.crank_angle.values.length - 1);
     this.shifts = brokenShifts(drawing);
-    this.view = held ?? this.fitting();
-    const { box, scale } = this.view;
+    this.fitted = held ?? this.fitting();
+    const { box, scale } = this.fitted;
     this.scale = scale;
     this.element = picture("mechanism", box, svg("title", {}, label));
     this.edges = { left: box[0], right: box[0] + box[2], top: box[1], bottom: box[1] + box[3] };
@@ -111,6 +112,12 @@ export class Mechanism {
     this.show(0);
     // Words are as large as the window has them: in another size they stand elsewhere.
     new ResizeObserver(() => { this.show(this.shown); }).observe(this.element);
+  }
+
+  /** How it lies, with what stands beyond it now. */
+  get view(): View {
+    const { x, y, width, height } = this.element.viewBox.baseVal;
+    return { scale: this.scale, box: [x, y, width, height] };
   }
 
   private fitting(): View {
@@ -163,18 +170,36 @@ export class Mechanism {
   showHandles(handles: readonly DrawnHandle[]): void {
     this.rings = handles.map((one, place) => {
       const ring = svg("circle", { class: "handle", r: RING_OF_HANDLE, "data-place": place }, svg("title", {}, `${one.mechanism} ${one.pin}`));
-      return { ring, one };
+      return { ring, axis: svg("path", { class: "handle-axis" }), one };
     });
-    this.held.replaceChildren(...this.rings.map(({ ring }) => ring));
+    this.held.replaceChildren(...this.rings.map(({ axis }) => axis), ...this.rings.map(({ ring }) => ring));
+    this.makeRoom(handles.filter((one) => one.at).map((one) => this.placeOf(one, 0)));
     this.showRings(this.shown);
   }
 
+  /** Show as much more than the drawing as rings beyond it need. */
+  private makeRoom(beyond: readonly Point[]): void {
+    const [left, top, width, height] = this.fitted.box;
+    const about = (of: (place: Point) => number): number[] => beyond.map(of).filter(Number.isFinite).flatMap((one) => [one - ROOM_OF_HANDLE, one + ROOM_OF_HANDLE]);
+    const [west, east] = extent([left, left + width, ...about(({ x }) => x)]);
+    const [north, south] = extent([top, top + height, ...about(({ y }) => y)]);
+    this.element.setAttribute("viewBox", [west, north, east - west, south - north].map((one) => +one.toFixed(2)).join(" "));
+  }
+
   private showRings(angle: number): void {
-    for (const { ring, one } of this.rings) {
-      const pin = this.pinOf(one, angle);
-      ring.toggleAttribute("hidden", !Number.isFinite(pin.x));
-      if (Number.isFinite(pin.x)) ring.setAttribute("transform", `translate(${xy(pin)})`);
+    for (const { ring, axis, one } of this.rings) {
+      const place = this.placeOf(one, angle);
+      ring.toggleAttribute("hidden", !Number.isFinite(place.x));
+      if (Number.isFinite(place.x)) ring.setAttribute("transform", `translate(${xy(place)})`);
+      // A guide's end stands off what slides in it: a line shows whose it is.
+      const slides = this.pinOf({ mechanism: one.mechanism, pin: one.slides }, angle);
+      axis.setAttribute("d", Number.isFinite(place.x + slides.x) ? polyline([slides, place]) : "");
     }
+  }
+
+  /** Where a pin is that may be moved, or what else may. */
+  placeOf(one: DrawnHandle, angle: number): Point {
+    return one.at ? this.point(at(one.at, 0), at(one.at, 1)) : this.pinOf(one, angle);
   }
 
   /** Mark what is about to be added, and nothing else. */

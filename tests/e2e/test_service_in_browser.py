@@ -413,6 +413,25 @@ def test_a_pivot_s_pull_stops_where_there_is_no_such_machine(opened):
     assert all(re.fullmatch(r"[\d.]+ mm", one) for one in lengths)
 
 
+def test_a_guide_is_turned_at_its_end_and_keeps_its_unit(opened):
+    """Level on the page, through the ring that stands beyond the ram; all else stays as it is typed."""
+    page = opened("#machine=shaper&phi=40")
+    page.locator("h1", has_text="Shaper").wait_for()
+    page.keyboard.press("e")
+    page.locator(".handle").first.wait_for()
+    typed = [one.input_value() for one in page.locator(".field input").all()]
+    off, said = pulled(page, "1 ram.guide", 0.0, 12.0)
+    assert abs(off[1]) < 2.0
+    page.mouse.up()
+    page.locator(".moved").wait_for(state="hidden")
+    direction = field(page, "direction")
+    assert re.fullmatch(r"[\d.]+ deg", direction)
+    assert 1.0 < float(direction.split()[0]) < 10.0
+    assert said == f"direction {direction}"
+    now = [one.input_value() for one in page.locator(".field input").all()]
+    assert [one for one in zip(typed, now, strict=True) if one[0] != one[1]] == [("0 deg", direction)]
+
+
 def test_a_link_pasted_where_the_page_is_open_is_followed_and_the_browser_goes_back(opened):
     page = opened("#machine=3d12&phi=0")
     settled(page, "mean piston speed", "9.000")

@@ -3,23 +3,31 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple, TypeAlias
 
+from cranktrain.motion import Array
+
 FINE = 300.0
 """So many steps of a number, or some more, move a pin as far as the mechanism reaches."""
 
 
 class Handle(NamedTuple):
-    """A pin of the drawing, and numbers of the mechanism's table that say where it is.
+    """A pin of the drawing, or a place on it, and numbers of the mechanism's table that say where it is.
 
     Attributes
     ----------
     pin : str
+        Its name.
     numbers : tuple of str
         Paths in the table, the first that matters most. Of those that a file has, one or two are changed when the pin
         is moved; a kind of which a number may be given in several ways names all of these.
+    at : callable (geometry) → (x, y), of Array of shape (..., 1), optional
+        Where it is, in the mechanism's axes, if it is no pin but stands still on what the pin `slides` slides in. [m]
+    slides : str
     """
 
     pin: str
     numbers: tuple[str, ...]
+    at: Callable[[Any], tuple[Array, Array]] | None = None
+    slides: str = ""
 
 
 Taken: TypeAlias = Literal["pin", "slider", "link", "ground"]

@@ -64,6 +64,10 @@ class Drawing:
     ends: Sequence[str] = ()
     points: Sequence[str] = ()
 
+    def slotted(self, block: Block) -> tuple[str, ...]:
+        """Pins of the link along which a block slides; none of a slider that nothing draws as a link."""
+        return next((link.pins for link in self.links if {*block.link} <= {*link.pins}), ())
+
     @property
     def positions(self) -> dict[str, Array]:
         """Where the pins are, by name: x and y, shape (2, ..., n), of all pins alike."""

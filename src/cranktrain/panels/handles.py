@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, cast
 
 import numpy as np
 
+from cranktrain.layout.frames import in_machine_axes
 from cranktrain.layout.places import PlacedMechanism, with_table
 from cranktrain.machine import Machine
 from cranktrain.mechanisms.by_hand import FINE, Handle
@@ -15,7 +16,7 @@ from cranktrain.numerics.round_steps import round_below
 from cranktrain.panels.members import are_one
 from cranktrain.paths import PathParts, parts_of, path_text
 from cranktrain.plans.link_points import followed_pin
-from cranktrain.plans.placement import placed
+from cranktrain.plans.placement import frame, placed, shaft_places
 from cranktrain.quantities import Given, shown
 from cranktrain.quantities.number import measured
 from cranktrain.record import record
@@ -61,11 +62,23 @@ class HandledNumber:
 
 @record
 class DrawnHandle:
-    """A pin that may be moved, and the one or two numbers that this changes."""
+    """A pin that may be moved, and the one or two numbers that this changes.
+
+    Attributes
+    ----------
+    mechanism, pin : str
+    numbers : tuple of HandledNumber
+    at : Array, shape (2,), or None
+        Where it stands, X and Y; None of a pin of the drawing. [m]
+    slides : str
+        Pin of the drawing that slides in the guide on which it stands.
+    """
 
     mechanism: str
     pin: str
     numbers: tuple[HandledNumber, ...]
+    at: Array | None
+    slides: str
 
 
 class _Held(NamedTuple):
@@ -106,8 +119,14 @@ def drawn_handles(
         others = [other for other in held if _is_same(one, other)]
         numbers = tuple(_numbers(machine, one, others, size))
         if numbers:
-            found.append(DrawnHandle(one.place.name, one.handle.pin, numbers))
+            found.append(_drawn(machine, one, numbers))
     return tuple(found)
+
+
+def _drawn(machine: Machine, one: _Held, numbers: tuple[HandledNumber, ...]) -> DrawnHandle:
+    """Give a handle as it stands on the drawing."""
+    at = None if one.handle.at is None else one.at[:, 0] + shaft_places(machine).centres[one.place.shaft]
+    return DrawnHandle(one.place.name, one.handle.pin, numbers, at, one.handle.slides)
 
 
 def _held(machine: Machine, place: PlacedMechanism, declared: Sequence[str]) -> Iterator[_Held]:
@@ -120,8 +139,18 @@ def _held(machine: Machine, place: PlacedMechanism, declared: Sequence[str]) -> 
     for handle in (*followed, *place.kind.handles):
         known = ((path, number_at(place.spec, parts_of(path))) for path in handle.numbers)
         typed = {path: given for path, given in known if given is not None and _in_file(place, path) in declared}
-        if typed and handle.pin in positions:
-            yield _Held(place, handle, positions[handle.pin], dict(list(typed.items())[:_MOST]))
+        at = positions.get(handle.pin) if handle.at is None else _at(machine, place, handle)
+        if typed and at is not None:
+            yield _Held(place, handle, at, dict(list(typed.items())[:_MOST]))
+
+
+def _at(machine: Machine, place: PlacedMechanism, handle: Handle) -> Array:
+    """Where a pin, or what else is held, is over the turn, from its shaft, shape (2, n). [m]"""
+    if handle.at is None:
+        return placed(machine, place, _angles(machine)).positions[handle.pin]
+    with np.errstate(all="ignore"):  # what cannot close is NaN
+        x, y = (np.ravel(part) + np.zeros(_ANGLES.size) for part in handle.at(place.geometry))
+    return np.stack(in_machine_axes(x, y, frame(machine, place)))
 
 
 def _point_numbers(name: str) -> tuple[str, ...]:
@@ -176,12 +205,10 @@ def _slope(machine: Machine, one: _Held, path: str, given: Given) -> Array:
     """Give how far a pin goes for a change of a number, by differences to both sides, shape (2, n)."""
     change = _CHANGE * (abs(given.si) or 1.0)
     beside = [place for place in machine.places if (place.shaft, place.throw) == (one.place.shaft, one.place.throw)]
-    angles = _angles(machine)
 
     def at(si: float) -> Array:
         spec = with_number(one.place.spec, parts_of(path), replace(given, si=si))
-        pin = placed(machine, with_table(one.place, spec, beside), angles).pins[one.handle.pin]
-        return np.stack([np.broadcast_to(part.value, angles.shape) for part in pin])
+        return _at(machine, with_table(one.place, spec, beside), one.handle)
 
     return (at(given.si + change) - at(given.si - change)) / (2 * change)
 

@@ -117,13 +117,15 @@ def _motions(drawing: Drawing, at: int, drive: Drive) -> tuple[dict[str, PinVect
     for link in drawing.links:
         named = [pin for pin in link.pins if pin not in drawing.ends]
         legs += [_Leg(pin, named[0]) for pin in named[1:]]
-    for pin, link in drawing.blocks:
+    for block in drawing.blocks:
+        pin, link = block
         if len(link) == 1:
             legs.append(_Leg(pin, link[0], 0.0))
         else:
             under = _unused(f"{pin}'", motions)
             motions[under], turning = _point_under(motions[pin], every[link[0]], every[link[-1]])
-            legs += [_Leg(under, link[0]), _Leg(pin, under, turning)]
+            base = next(name for name in drawing.slotted(block) if name in motions)
+            legs += [_Leg(under, base), _Leg(pin, under, turning)]
     return motions, legs
 
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from cranktrain.language import Words, _
 from cranktrain.mechanisms.by_hand import Handle
-from cranktrain.mechanisms.chain.drawing import chain_drawing
+from cranktrain.mechanisms.chain.drawing import chain_drawing, guide_end
 from cranktrain.mechanisms.chain.forces import chain_dynamics
 from cranktrain.mechanisms.chain.gaps import chain_gap, chain_gaps
-from cranktrain.mechanisms.chain.groups import SHAFT, Part, anatomy, made_names, pin_of
+from cranktrain.mechanisms.chain.groups import SHAFT, Part, anatomy, end_of, guide_of, made_names, pin_of
 from cranktrain.mechanisms.chain.kinematics import ChainMotion, chain_motion, triad_branch
 from cranktrain.mechanisms.chain.margin import chain_openings
 from cranktrain.mechanisms.chain.steps import (
@@ -71,7 +71,10 @@ def fields_of(structure: Structure) -> dict[str, Any]:
 
 
 def _handles(structure: Structure) -> Iterator[Handle]:
-    """Give the pins by which a chain's numbers are changed: of cranks, fixed points and groups, but for triads."""
+    """Give the pins by which a chain's numbers are changed, of cranks, fixed points and groups, and ends of guides.
+
+    Of triads there are only the latter.
+    """
     for name in structure.cranks:
         yield Handle(pin_of(name), (f"crank.{name}.radius", f"crank.{name}.angle"))
     for name in structure.fixed:
@@ -86,9 +89,23 @@ def _handles(structure: Structure) -> Iterator[Handle]:
                 pin, numbers = pin_of(step.slider), ("guide.offset",)
             case PointStep() | MountStep():
                 pin, numbers = step.point, ("along", "across")
-            case SwivelStep() | TriadStep():
-                continue
-        yield Handle(pin, tuple(f"part[{place}].{number}" for number in numbers))
+            case SwivelStep():
+                pin, numbers = end_of(step.guide), ("guide.offset",)
+            case TriadStep():
+                pin, numbers = "", ()
+        if pin:
+            yield Handle(pin, tuple(f"part[{place}].{number}" for number in numbers))
+        for path, slider in _guided(step):
+            at = partial(guide_end, structure, slider)
+            yield Handle(guide_of(slider), (f"part[{place}].{path}guide.direction",), at, pin_of(slider))
+
+
+def _guided(step: Step) -> Iterator[tuple[str, str]]:
+    """Give the sliders of a group that are in fixed guides, each with where its guide stands in the group's table."""
+    if isinstance(step, SlideStep | YokeStep | TrammelStep):
+        yield "", step.slider
+    elif isinstance(step, TriadStep):
+        yield from ((f"leg[{k}].", leg.slider) for k, leg in enumerate(step.legs) if isinstance(leg, GuideLegStep))
 
 
 def _as_it_is(size: ChainSize) -> ChainSize:

@@ -46,6 +46,16 @@ def slot_of(slider: str) -> str:
     return f"{slider}.slot"
 
 
+def end_of(name: str) -> str:
+    """Name of the point that shows how far a link or a slider's slot reaches."""
+    return f"{name}.end"
+
+
+def guide_of(slider: str) -> str:
+    """Name of the end of a slider's fixed guide."""
+    return f"{slider}.{GUIDE}"
+
+
 class Product(NamedTuple):
     """What a group makes: a point, link, slider or block; of a point, the body that carries it."""
 

@@ -84,7 +84,7 @@ def placed(step: Step, own: StepSize, made: Made) -> Made:
         case PointStep(), LinkPoint():
             return {step.point: point(made[step.link], own)}
         case MountStep(), LinkPoint():
-            return {step.point: _beside(made[pin_of(step.slider)], own)}
+            return {step.point: beside(made[pin_of(step.slider)], own)}
         case _:
             raise TypeError(step)
     slider = _on_guide(step.slider, motion.slider, height, own.direction)
@@ -108,6 +108,7 @@ def _in_file(rod: Link, start: Point, direction: Array) -> Link:
     return Link(start, angle, cos * rod.cos - sin * rod.sin, sin * rod.cos + cos * rod.sin)
 
 
-def _beside(place: Point, own: LinkPoint) -> Point:
+def beside(place: Point, own: LinkPoint) -> Point:
+    """Point that keeps so far from another, in a direction that does not turn."""
     x, y = own.radius * np.cos(own.angle), own.radius * np.sin(own.angle)
     return Point(place.x._replace(value=place.x.value + x), place.y._replace(value=place.y.value + y))

@@ -1,7 +1,8 @@
 """The slotted lever, to be drawn."""
 
-from cranktrain.linkage import CrankAndPivot, LinkPoint, fixed, point
+from cranktrain.linkage import CrankAndPivot, fixed
 from cranktrain.mechanisms.drawing import Block, Drawing, DrawnLink
+from cranktrain.mechanisms.rocking_guide import slot_points
 from cranktrain.mechanisms.slotted_lever.kinematics import slotted_lever
 from cranktrain.motion import Array
 
@@ -11,17 +12,18 @@ def slotted_lever_drawing(angle: Array, geometry: CrankAndPivot) -> Drawing:
     motion = slotted_lever(angle, geometry)
     still = 0.0 * angle
     longest = geometry.crank_radius + geometry.ground_length
+    slot = dict(zip("BD", slot_points(motion.rocker, 1.1 * longest, geometry.offset), strict=False))
     return Drawing(
         pins={
             "O": fixed(still, still),
             "A": motion.pin,
             "C": fixed(still + geometry.ground_length, still),
-            "B": point(motion.rocker, LinkPoint(1.1 * longest, still)),
+            **slot,
         },
-        links=(DrawnLink("crank", ("O", "A")), DrawnLink("lever", ("C", "B"))),
+        links=(DrawnLink("crank", ("O", "A")), DrawnLink("lever", ("C", *slot))),
         guides=(),
         fixed=("O", "C"),
         paths=("A",),
-        blocks=(Block("A", ("C", "B")),),
-        ends=("B",),
+        blocks=(Block("A", ("D" if "D" in slot else "C", "B")),),
+        ends=tuple(slot),
     )

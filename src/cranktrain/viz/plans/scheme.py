@@ -159,7 +159,7 @@ def scheme_sketch(found: Scheme, scale: float, marked: str | None = None) -> Ske
         if link.name == "crank":
             path = shapes.arc(shaft, float(np.hypot(*(pin - shaft))), 0.0, 2 * np.pi)
             sketch.add([Line(path, "PATHS", "dotted", 1)])
-        for ends in sides_of(link, drawing.points):
+        for ends in sides_of(link, drawing):
             line = np.stack([pins[name][:, 0] for name in ends], axis=1)
             sketch.add([Line(line, "LINKS", "outline", 5)])
     sketch.add(Circle(pin[:, 0], 0.8 * scale, "LINKS", "outline", 6, "paper") for pin in pins.values())

@@ -120,19 +120,25 @@ def line_drawing(plan: PositionPlan, track: Drawing | None = None) -> tuple[Sket
     for i in range(len(plan.angles)):
         habit = "outline" if i == 0 else "thin"
         for link in plan.drawing.links:
-            for names in sides_of(link, plan.drawing.points):
+            for names in sides_of(link, plan.drawing):
                 ends = np.stack([pins[name][:, i] for name in names], axis=1)
                 sketch.add([Line(ends, "LINKS", habit, 4 if i == 0 else 3)])
         sketch.add(Circle(pin[:, i], 0.6 * scale, "LINKS", habit, 5, "paper") for pin in pins.values())
     return sketch, pins
 
 
-def sides_of(link: DrawnLink, points: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Pins two by two between which a link is drawn: from its first to each; to a point on it from its second too."""
+def sides_of(link: DrawnLink, drawing: Drawing) -> Iterator[tuple[str, str]]:
+    """Pins two by two between which a link is drawn: from its first to each; to a point on it from its second too.
+
+    A slot beside its first pin is a line of its own.
+    """
     for name in link.pins[1:]:
         yield link.pins[0], name
-        if name in points:
+        if name in drawing.points:
             yield link.pins[1], name
+    for block in drawing.blocks:
+        if len(block.link) > 1 and {*block.link} <= {*link.pins} - {link.pins[0]}:
+            yield block.link[0], block.link[-1]
 
 
 def pin_wishes(drawing: Drawing, pins: dict[str, Array]) -> list[Wish]:
@@ -188,7 +194,7 @@ def frame_lines(drawing: Drawing, pins: dict[str, Array], scale: float) -> Itera
 def _blocks(drawing: Drawing, pins: dict[str, Array], scale: float) -> Iterator[Line]:
     """Blocks in slots in the first position: along the drawn link that has the slot, or toward the slider that has."""
     for block in drawing.blocks:
-        slotted = next((link.pins for link in drawing.links if {*block.link} <= {*link.pins}), (block.pin, *block.link))
+        slotted = block.link if len(block.link) > 1 else drawing.slotted(block) or (block.pin, *block.link)
         ends = pins[slotted[-1]][:, 0] - pins[slotted[0]][:, 0]
         if np.hypot(*ends) >= 0.1 * scale:
             along = ends / np.hypot(*ends)
