@@ -399,6 +399,8 @@ export interface MachineDrawing {
   readonly left_out: readonly (string)[];
   readonly loads: readonly (LoadDrawing)[];
   readonly bounds: Numbers;
+  readonly unit: string;
+  readonly one: Float;
 }
 
 export interface ShaftDrawing {

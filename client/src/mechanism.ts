@@ -633,12 +633,13 @@ export class Mechanism {
   /** A round length to scale. */
   private scaleBar(box: readonly [number, number, number, number], into: SVGGElement): void {
     const [left, top, , height] = box;
-    const most = (0.22 * LONG) / this.scale;
+    const one = number(this.drawing.one);
+    const most = (0.22 * LONG) / this.scale / one;
     const power = 10 ** Math.floor(Math.log10(most));
     const length = power * ([5, 2, 1].find((one) => one * power <= most) ?? 1);
     const [x, y] = [left + 10, top + height - 9];
-    const end = x + length * this.scale;
-    const words = length >= 1 ? `${+length.toPrecision(3)} m` : `${+(length * 1000).toPrecision(3)} mm`;
+    const end = x + length * one * this.scale;
+    const words = `${+length.toPrecision(3)} ${this.drawing.unit}`;
     this.labels.keepClear(words, { x: end + 6, y: y + 4, anchor: "start", isCentral: false });
     into.append(
       svg("path", { class: "scale", d: `M${x} ${y - 4}V${y + 4}M${x} ${y}H${end}M${end} ${y - 4}V${y + 4}` }),

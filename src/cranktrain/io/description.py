@@ -1,16 +1,16 @@
 """What a machine is, and where its numbers are from, as every sheet and report says it."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, cast
 
 from cranktrain.language import N_
 from cranktrain.language import said as _
-from cranktrain.layout.unit_tables import units_of_table
+from cranktrain.layout.unit_tables import unit_problems, units_of_table
 from cranktrain.machine import Machine
 from cranktrain.mechanisms import KINDS
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.quantities import FileUnits, Given, own_units
+from cranktrain.quantities import FileUnits, Given, UnitChoice, own_units
 from cranktrain.spec import Spec
 
 
@@ -57,6 +57,28 @@ def counted_by_status(numbers: Iterable[Given]) -> str:
 def units_of(machine: Machine) -> FileUnits:
     """Units in which a machine is to be shown: those of its [units], and those in which most of its numbers stand."""
     return FileUnits(units_of_table(machine.units), own_units(one.text for one in given_numbers(machine)))
+
+
+def units_of_tables(data: Mapping[str, object]) -> FileUnits:
+    """Units in which a machine is to be shown whose tables are no machine yet; what is wrong in them says nothing."""
+    units = data.get("units")
+    table = cast("Mapping[str, object]", units if isinstance(units, Mapping) else {})
+    texts: dict[str, str] = {name: unit for name, unit in table.items() if isinstance(unit, str)}
+    said: UnitChoice = {} if any(unit_problems(texts)) else units_of_table(texts)
+    return FileUnits(said, own_units(_texts(data)))
+
+
+def _texts(data: object) -> Iterator[str]:
+    """Give the texts of tables, but for what is said of their numbers."""
+    if isinstance(data, str):
+        yield data
+    elif isinstance(data, Mapping):
+        for key, item in cast("Mapping[str, object]", data).items():
+            if key not in ("note", "source", "name"):
+                yield from _texts(item)
+    elif isinstance(data, list | tuple):
+        for item in cast("Sequence[object]", data):
+            yield from _texts(item)
 
 
 def given_numbers(part: object, name: object = "") -> Iterator[Given]:

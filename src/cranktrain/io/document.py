@@ -6,14 +6,14 @@ import re
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from cranktrain.errors import Position, Problem
 from cranktrain.io.files import content_of, refusal
 from cranktrain.io.syntax import parsed, text_position
 from cranktrain.language import said as _
-from cranktrain.one_line import short
-from cranktrain.paths import parts_of, quantity_path, replaced
+from cranktrain.one_line import LONGEST_SHOWN, one_line, short
+from cranktrain.paths import item_at, parts_of, quantity_path, replaced
 
 if TYPE_CHECKING:
     from cranktrain.io.text_spans import TextSpans
@@ -158,7 +158,7 @@ class Document:
             return None
         typed = self._source[place.start : place.end].decode()
         plain = re.fullmatch(r"""(["'])([^"'\\\n]*[^"'\\\s])\1""", typed)
-        return short(plain[2] if plain else typed)
+        return short(plain[2]) if plain else _in_short(item_at(self.data, parts), typed)
 
     def with_value(self, path: str, given: str) -> "Document":
         """Give the document with another value at a path; comments and layout stay.
@@ -193,6 +193,26 @@ class Document:
             if isinstance(value, str | int | float):  # the whole text need not be read again for it
                 vars(changed)["_parsed"] = replaced(tables, parts, value)
         return changed
+
+
+def _in_short(value: object, typed: str) -> str:
+    """Say what is typed of a list or a number with its status as a person would; what is short stays as it is."""
+    if isinstance(value, dict) and (number := _number_in(cast("dict[str, object]", value))) is not None:
+        return short(number)
+    if not isinstance(value, list) or (len(one_line(typed)) <= LONGEST_SHOWN and "{" not in typed):
+        return short(typed)
+    items = cast("list[object]", value)
+    ends = [_number_in(item) for item in (items[0], items[-1])]
+    if None in ends:
+        return _("a list of {n}", n=len(items))
+    return _("a list of {n}, from {first} to {last}", n=len(items), first=short(str(ends[0])), last=short(str(ends[1])))
+
+
+def _number_in(value: object) -> str | None:
+    """Give the number of a table that says where it is from, or of a list's item; None of anything else."""
+    if isinstance(value, dict):
+        return _number_in(cast("dict[str, object]", value).get("value"))
+    return value if isinstance(value, str) else None
 
 
 def _text(content: bytes, name: str) -> str:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.curve_files import CurveReader, beside, with_curves
+from cranktrain.io.description import units_of_tables
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near, plain_name
 from cranktrain.language import said as _
@@ -18,7 +19,7 @@ from cranktrain.machine import Machine, machine_problems
 from cranktrain.mechanisms import KINDS
 from cranktrain.mechanisms.spec import LISTS
 from cranktrain.paths import PathParts, parts_of, path_text, quantity_path, with_values
-from cranktrain.quantities import Given
+from cranktrain.quantities import Given, problem_in_units
 from cranktrain.record import record
 from cranktrain.spec import Spec
 from cranktrain.typed_file import TypedFile
@@ -164,7 +165,8 @@ def _checked(
         from cranktrain.io.half_read import problems_of_the_rest  # most files are right
 
         found = (*found, *problems_of_the_rest(filled, known, partial=partial))
-    problems = tuple(map(origin.placed, found))
+    units = units_of_tables(filled)
+    problems = tuple(problem_in_units(origin.placed(problem), units) for problem in found)
     if origin.paths and not any(problem.position == origin.position for problem in problems):
         allowed = _("was set for this run; the file alone may be right")
         meant = next((near for path in origin.paths if (near := _deeper(origin.typed.data, path)) is not None), None)

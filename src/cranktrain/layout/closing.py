@@ -13,7 +13,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.closing import OpenRange, open_ranges
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.quantities import Dimension, Given, own_units
+from cranktrain.quantities import FileUnits, Given, own_units, problem_in_units
 from cranktrain.saying.wording import all_of, around_turn, number
 
 _SEEN = 5e-6
@@ -93,8 +93,7 @@ def _closing_problem(
 ) -> Problem:
     """Say where a mechanism or a part of it cannot close, by how much, what would help, and where the whole closes."""
     short = max(one.short for one in own)
-    unit = own_units(one.text for _path, one in numbers_of(place.spec)).get(Dimension.LENGTH, "mm")
-    lack = number(short, unit) if short >= _TOLD else _("less than {length}", length=number(_TOLD, unit))
+    lack = number(short, "mm") if short >= _TOLD else _("less than {length}", length=number(_TOLD, "mm"))
     if own[0].end - own[0].start >= TURN:
         allowed = _("the links can close at no crank angle (short by {short}); {advice}")
     elif short < _SEEN:
@@ -108,7 +107,7 @@ def _closing_problem(
     if short >= _SEEN and (left := closed_ranges(whole)):
         closes = all_of([_span(start - place.phase - zero, end - place.phase - zero) for start, end in left])
         repair = _("all links close at {closes}: run it there with --partial", closes=closes)
-    return Problem(
+    found = Problem(
         place.path_of(field),
         given.text if given else None,
         allowed.format(
@@ -118,6 +117,7 @@ def _closing_problem(
         ),
         repair,
     )
+    return problem_in_units(found, FileUnits(written=own_units(one.text for _path, one in numbers_of(place.spec))))
 
 
 def _span(start: Array, end: Array) -> Words:

@@ -12,7 +12,7 @@ from cranktrain.layout.places import PlacedMechanism
 from cranktrain.mechanisms.kind import AnyKind
 from cranktrain.motion import ZERO, Array, plain
 from cranktrain.quantities import Given
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 CRANK = "crank"
 _TABLE = "masses"
@@ -122,7 +122,7 @@ def _rest_problems(where: str, text: str, body: BodySpec, radius: float) -> Iter
             "must leave the rest of the crank, without what is at the pin, a centroid within {farthest} from the shaft;"
             " all at the pin, 1, is for along = {radius}, the crank's radius"
         )
-        said = allowed.format(farthest=precise(_FARTHEST * radius), radius=precise(radius))
+        said = allowed.format(farthest=as_limit(_FARTHEST * radius), radius=as_limit(radius))
         yield Problem(where, text, said)
 
 
@@ -150,7 +150,9 @@ def _unlike_radii(one: PlacedMechanism, other: PlacedMechanism) -> Iterator[Prob
             "makes the crank's radius {own}, and {path} makes it {radius} on the same pin: both rods need one radius,"
             " or a throw each (two throws at one place have spacing 0)"
         )
-        yield Problem(path, given, allowed.format(own=precise(own), path=_radius_field(one)[0], radius=precise(radius)))
+        yield Problem(
+            path, given, allowed.format(own=as_limit(own), path=_radius_field(one)[0], radius=as_limit(radius))
+        )
 
 
 def _radius_field(place: PlacedMechanism) -> tuple[str, str | None]:

@@ -309,10 +309,13 @@ def count_problems(listed: Mapping[str, Sequence[Given]], n_places: int) -> Iter
 
 
 def order_problems(name: str, places: Sequence[Given]) -> Iterator[Problem]:
-    """Find places that do not rise."""
-    if not all(one.si < other.si for one, other in pairwise(places)):
-        yield Problem(name, None, _("must rise from one place to the next"))
-    elif name == "crank_angles" and places[-1].si - places[0].si > _MOST:
+    """Find the first place that is not beyond the one before it; where all are, what reaches too far."""
+    for number, (before, place) in enumerate(pairwise(places), 1):
+        if not before.si < place.si:
+            allowed = _("must be more than {before}, the place before it", before=before.text)
+            yield Problem(f"{name}[{number}]", place.text, allowed)
+            return
+    if name == "crank_angles" and places[-1].si - places[0].si > _MOST:
         yield Problem(name, None, _("must reach over two turns at most, 720°"))
 
 

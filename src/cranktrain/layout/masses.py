@@ -28,7 +28,7 @@ from cranktrain.motion import ZERO, Array, plain
 from cranktrain.numerics.designs import by_design
 from cranktrain.quantities import Given
 from cranktrain.record import record
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 _TABLE = "masses"
 _LEAST_GYRATION, _MOST_GYRATION = 0.1, 1.0
@@ -165,15 +165,15 @@ def _body_problems(where: str, name: str, body: BodySpec, places: Sequence[Place
         if body.along is not None and not -length <= body.along.si <= 2 * length:
             allowed = _(
                 "must lie on the link or not far from it: {least} to {most} from its first pin",
-                least=precise(-length),
-                most=precise(2 * length),
+                least=as_limit(-length),
+                most=as_limit(2 * length),
             )
             yield Problem(f"{where}.along", body.along.text, allowed)
         if abs(body.across.si) > length:
             allowed = _(
                 "must lie on the link or not far from it: {least} to {most} beside the line of its pins",
-                least=precise(-length),
-                most=precise(length),
+                least=as_limit(-length),
+                most=as_limit(length),
             )
             yield Problem(f"{where}.across", body.across.text, allowed)
 

@@ -13,7 +13,7 @@ from cranktrain.layout.specs import MAIN, ShaftSpec
 from cranktrain.motion import Array, single
 from cranktrain.numerics import turn_grid
 from cranktrain.numerics.harmonics import TURN
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 _IN_LINE = 1e-3
 """Places are written to fewer digits than √3 has: two axes of one cylinder may differ by so much of their distance."""
@@ -90,12 +90,12 @@ def _wrong(
     beside = float(np.hypot(*(apart - distance * along)))
     if beside > _IN_LINE * abs(distance):
         allowed = _("must be such that both pistons of {cylinder} lie in one line, of which this is {beside} beside")
-        return allowed.format(cylinder=pair[0].cylinder, beside=precise(beside)), False
+        return allowed.format(cylinder=pair[0].cylinder, beside=as_limit(beside)), False
     phi = turn_grid()
     with np.errstate(all="ignore"):
         motions = [place.kind.motion(phi + place.phase, place.geometry) for place in pair]
     reach = float(np.nanmax(sum(motion.slider.value for motion in motions)))
     if distance < reach:
         allowed = _("must be more than {reach} from the other shaft of {cylinder}, or its pistons meet")
-        return allowed.format(cylinder=pair[0].cylinder, reach=precise(reach)), False
+        return allowed.format(cylinder=pair[0].cylinder, reach=as_limit(reach)), False
     return None, distance - reach > _CLEAR * distance

@@ -238,6 +238,10 @@ class MachineDrawing:
         None where the file has no loads or no speed, or where links cannot close all round.
     bounds : Array, shape (2, 2)
         Lower left and upper right corner, one after the other, of where pins come at every 3° of a turn. [m]
+    unit : str
+        In which lengths are said.
+    one : float
+        One of it. [m]
     """
 
     name: str
@@ -247,6 +251,8 @@ class MachineDrawing:
     left_out: tuple[str, ...]
     loads: tuple[LoadDrawing, ...]
     bounds: Array
+    unit: str
+    one: float
 
     def mechanism(self, name: str) -> MechanismDrawing:
         """Give a mechanism by its name.

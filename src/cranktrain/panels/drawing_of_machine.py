@@ -82,6 +82,7 @@ def machine_drawing(
         member = sizes.member(place, moving, centre, is_first=not drawn)
         drawn.append(_drawn(member, sizes, travel))
         reached += [pin[:, : _PATH.size] for pin in member.turn_pins.values()]
+    length = scale_for("m", 0.0)
     return MachineDrawing(
         name=machine.name,
         crank_angle=angles,
@@ -90,6 +91,8 @@ def machine_drawing(
         left_out=tuple(place.name for place in asked if place.shaft not in shafts.centres),
         loads=tuple(_loads(machine, places, speed, angles)),
         bounds=_bounds(reached),
+        unit=length.label,
+        one=float(length.one),
     )
 
 

@@ -1,18 +1,19 @@
 """Units in which numbers are to be seen: a reader's choice, else the file's own; what has neither has its usual one."""
 
 from collections import Counter
-from collections.abc import Generator, Iterable, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import cache, lru_cache
+from dataclasses import dataclass, replace
+from functools import cache
 from typing import NamedTuple
 
 from cranktrain.errors import Problem, refuse
 from cranktrain.grouping import grouped
-from cranktrain.language import _
+from cranktrain.language import Said, Words, _
 from cranktrain.quantities.dimensions import Dimension, plain, spellings, unit_names
 from cranktrain.quantities.number import measured
-from cranktrain.quantities.refusal import nearest
+from cranktrain.quantities.refusal import Instead, nearest
 
 UnitChoice = Mapping[Dimension, str]
 """Names of units by what they measure."""
@@ -75,6 +76,47 @@ def shown_as_in(file: FileUnits) -> Generator[None]:
         yield
     finally:
         _of_file.reset(token)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class _InUnits(Said):
+    """Words in the units of a machine's file, unless they are said where another one's are known."""
+
+    words: Words
+    file: FileUnits
+
+    def __hash__(self) -> int:
+        """Tell them apart by the words."""
+        return hash(self.words)
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say them."""
+        if any(_of_file.get()):
+            return str(say(self.words))
+        with shown_as_in(self.file):
+            return str(say(self.words))
+
+    def each(self) -> Iterable[object]:
+        """Give them."""
+        return (self.words,)
+
+
+def problem_in_units(problem: Problem, file: FileUnits) -> Problem:
+    """Give what is wrong with a machine's file to be said in its units, where nobody who says it knows of any.
+
+    Examples
+    --------
+    >>> from cranktrain.saying.wording import number
+    >>> short = Problem("rod_length", "3 in", number(0.0254, "mm"))
+    >>> str(problem_in_units(short, FileUnits(written=own_units(["4 in"]))))
+    'rod_length = 3 in: 1.000 in'
+    """
+    if not any(file):
+        return problem
+    repair = problem.repair
+    if repair is not None and not isinstance(repair, Instead):
+        repair = _InUnits(repair, file)
+    return replace(problem, allowed=_InUnits(problem.allowed, file), repair=repair)
 
 
 def chosen_unit(usual: str) -> str | None:

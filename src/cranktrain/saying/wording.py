@@ -224,9 +224,41 @@ def around_turn(angles: Array) -> Array:
     return np.radians(np.mod(np.round(shown(angles, "deg"), _DECIMALS["deg"]), 360.0))
 
 
-def precise(limit: float, unit: str = "mm") -> str:
-    """Write a length or angle that is a limit with the digits that a limit needs."""
+def precise(limit: float, unit: str) -> str:
+    """Write what is a limit in a unit, with the digits that a limit needs."""
     return f"{shown(limit, unit):.7g} {unit}"
+
+
+@dataclass(frozen=True, slots=True, repr=False, eq=False)
+class _Limit(Said):
+    """A limit, said in its usual unit or the one that was chosen for it; those that are said alike are one."""
+
+    value: float
+    unit: str
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Limit) and precise(self.value, self.unit) == precise(other.value, other.unit)
+
+    def __hash__(self) -> int:
+        return hash(precise(self.value, self.unit))
+
+    def said(self, say: Callable[[object], object]) -> str:
+        """Say it."""
+        return precise(self.value, chosen_unit(self.unit) or self.unit)
+
+
+def as_limit(value: float, unit: str = "mm") -> Said:
+    """Give a limit, a length unless said, to be said with the digits that it needs, in the unit chosen for it.
+
+    Examples
+    --------
+    >>> from cranktrain.quantities import shown_by, units_by_dimension
+    >>> least = as_limit(0.0889)
+    >>> with shown_by(units_by_dimension(["in"])):
+    ...     str(least)
+    '3.5 in'
+    """
+    return _Limit(value, unit)
 
 
 @dataclass(frozen=True, slots=True, repr=False)

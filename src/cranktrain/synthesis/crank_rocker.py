@@ -11,7 +11,7 @@ from cranktrain.language import N_, Words, _
 from cranktrain.mechanisms.crank_rocker import CrankRocker
 from cranktrain.mechanisms.crank_rocker.facts import CLASSES
 from cranktrain.motion import single
-from cranktrain.saying.wording import number, precise
+from cranktrain.saying.wording import as_limit, number
 from cranktrain.synthesis.four_bars import (
     FourBarRequirements,
     best_parameter,
@@ -104,7 +104,7 @@ def crank_rocker_from_swing(
         return _of_equal_swings(requirement, transmission_angle, rod_length, speed)
     if rod_length is not None:
         allowed = _("must be left out: with a time ratio other than 1 the best rod follows from swing and ratio")
-        raise InputError([Problem("rod_length", precise(rod_length), allowed)])
+        raise InputError([Problem("rod_length", as_limit(rod_length), allowed)])
     side = _SIDES[slow_swing]
     parameter = best_parameter(requirement, side)
     bars = four_bar(requirement, single(parameter), side)
@@ -172,10 +172,10 @@ def _of_equal_swings(
         allowed = _("is missing, and transmission_angle with it; with a time ratio of 1 the rod is free: give one")
         if rod_length is not None:
             allowed = _("must not stand beside transmission_angle; give one of them")
-        raise InputError([Problem("rod_length", None if rod_length is None else precise(rod_length), allowed)])
+        raise InputError([Problem("rod_length", None if rod_length is None else as_limit(rod_length), allowed)])
     if rod_length is not None and rod_length <= radius:
-        allowed = _("must be more than the crank radius, {least}", least=precise(radius))
-        raise InputError([Problem("rod_length", precise(rod_length), allowed)])
+        allowed = _("must be more than the crank radius, {least}", least=as_limit(radius))
+        raise InputError([Problem("rod_length", as_limit(rod_length), allowed)])
     if transmission_angle is not None and transmission_angle >= limit:
         allowed = _("must be less than {limit} for this swing, which only an endless rod would reach")
         raise InputError(

@@ -10,7 +10,7 @@ from cranktrain.mechanisms.articulated_rod import ArticulatedRod
 from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
 from cranktrain.paths import quoted
-from cranktrain.saying.wording import number, precise
+from cranktrain.saying.wording import as_limit, number
 from cranktrain.synthesis.knuckle_equations import Free, stroke_product, unshifted_angle
 from cranktrain.synthesis.knuckle_search import Search, is_usable, searched
 from cranktrain.synthesis.knuckle_slave import KnuckleRequirements, cylinder_table, slave_numbers
@@ -146,8 +146,8 @@ def _impossible(
         yield Problem("bank_angle", number(bank_angle, "deg"), _("must lie between -360 and 360 deg"))
     least = float(master.crank_radius + abs(master.offset))
     if not master.rod_length > least:
-        allowed = _("must be more than {least}, or the crank cannot turn", least=precise(least))
-        yield Problem("master_rod_length", precise(float(master.rod_length)), allowed)
+        allowed = _("must be more than {least}, or the crank cannot turn", least=as_limit(least))
+        yield Problem("master_rod_length", as_limit(float(master.rod_length)), allowed)
     if requirements.same_ratio is not None and not requirements.same_ratio > 1:
         yield Problem("same_ratio", plain(requirements.same_ratio), _("must be more than 1"))
     yield from _count_problems(requirements, [name for name, value in given.items() if value is None])
@@ -203,16 +203,16 @@ def _unreachable(
 ) -> Problem:
     """Say what can be reached where a requirement cannot."""
     if not free:
-        return Problem("rod_length", precise(float(rod.rod_length)), _("is too short: the slave cannot close"))
+        return Problem("rod_length", as_limit(float(rod.rod_length)), _("is too short: the slave cannot close"))
     names = ", ".join(free)
     if requirements.stroke is not None and search.least <= search.most:
         allowed = _(
             "must lie between {least} and {most}, all that {names} can give here",
-            least=precise(search.least),
-            most=precise(search.most),
+            least=as_limit(search.least),
+            most=as_limit(search.most),
             names=names,
         )
-        return Problem("stroke", precise(requirements.stroke), allowed)
+        return Problem("stroke", as_limit(requirements.stroke), allowed)
     path = (
         "same_height" if requirements.same_height else "same_ratio" if requirements.same_ratio is not None else "stroke"
     )

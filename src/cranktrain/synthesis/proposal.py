@@ -17,7 +17,7 @@ from cranktrain.quantities import Dimension, Quantity, Status, read, shown
 from cranktrain.record import record
 from cranktrain.saying.catalogue import DEFINITION, Entry
 from cranktrain.saying.run import Run
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 Length: TypeAlias = Annotated[float, Quantity(Dimension.LENGTH)]
 Angle: TypeAlias = Annotated[float, Quantity(Dimension.ANGLE)]
@@ -68,7 +68,9 @@ _ROUNDINGS = 2
 _LINE = 116
 
 
-def not_positive(requirements: Mapping[str, float | None], written: Callable[[float], str] = precise) -> list[Problem]:
+def not_positive(
+    requirements: Mapping[str, float | None], written: Callable[[float], Words] = as_limit
+) -> list[Problem]:
     """Problems of requirements that are not more than 0, each written as a length unless said; None is none."""
     return [
         Problem(name, written(value), _("must be more than 0"))

@@ -10,7 +10,7 @@ from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, _
 from cranktrain.motion import Array
 from cranktrain.numerics import bracketed_roots
-from cranktrain.saying.wording import number, precise
+from cranktrain.saying.wording import as_limit, number
 from cranktrain.synthesis.four_bars import excess_angle, time_ratio_of
 from cranktrain.synthesis.proposal import (
     Alternative,
@@ -200,8 +200,8 @@ def _parameter_of(stroke: float, excess: float, rod_length: float) -> float:
     least, most = stroke / 2, stroke / 2 / tan(excess / 2)
     if not least < rod_length < most:
         allowed = _("must lie between {least} and {most} for this stroke and time ratio")
-        allowed = allowed.format(least=precise(least), most=precise(most))
-        raise InputError([Problem("rod_length", precise(rod_length), allowed)])
+        allowed = allowed.format(least=as_limit(least), most=as_limit(most))
+        raise InputError([Problem("rod_length", as_limit(rod_length), allowed)])
     return asin(2 * rod_length * sin(excess / 2) / stroke)
 
 

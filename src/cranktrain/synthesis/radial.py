@@ -11,7 +11,7 @@ from cranktrain.mechanisms.slider_crank import SliderCrank
 from cranktrain.motion import single
 from cranktrain.paths import quoted
 from cranktrain.quantities import unlisted
-from cranktrain.saying.wording import number, precise
+from cranktrain.saying.wording import as_limit, number
 from cranktrain.synthesis.knuckle_equations import Free
 from cranktrain.synthesis.knuckle_search import Search, searched
 from cranktrain.synthesis.knuckle_slave import KnuckleRequirements, cylinder_table, slave_numbers
@@ -134,7 +134,7 @@ def _impossible(
     yield from not_positive(lengths)
     if not rod_length > lengths["crank_radius"]:
         allowed = _("must be more than the crank radius, or the crank cannot turn")
-        yield Problem("rod_length", precise(rod_length), allowed)
+        yield Problem("rod_length", as_limit(rod_length), allowed)
     if n_cylinders < 3:
         yield Problem("n_cylinders", str(n_cylinders), _("must be at least 3"))
     if strategy not in STRATEGIES:
@@ -167,14 +167,14 @@ def _unreachable(rod: ArticulatedRod, strategy: Strategy, search: Search) -> Pro
     angle = number(float(rod.bank_angle), "deg")
     if not _FREE[strategy]:
         allowed = _("too short: the slave at {angle} cannot close", angle=angle)
-        return Problem("slave_rod_length", precise(float(rod.rod_length)), allowed)
+        return Problem("slave_rod_length", as_limit(float(rod.rod_length)), allowed)
     allowed = _("cannot be had for the slave at {angle} with this knuckle radius and rod", angle=angle)
     if strategy == "equal_stroke" and search.least <= search.most:
         allowed = _(
             "cannot be had: the slave at {angle} can have strokes from {least} to {most}",
             angle=angle,
-            least=precise(search.least),
-            most=precise(search.most),
+            least=as_limit(search.least),
+            most=as_limit(search.most),
         )
     return Problem("strategy", strategy, allowed, _("choose another strategy, or other common sizes"))
 

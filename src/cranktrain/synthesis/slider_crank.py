@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import N_, Words, _
-from cranktrain.saying.wording import number, precise
+from cranktrain.saying.wording import as_limit, number
 from cranktrain.synthesis.four_bars import time_ratio_of
 from cranktrain.synthesis.guide_friction import friction_numbers, friction_remark, locking_problems
 from cranktrain.synthesis.proposal import (
@@ -101,8 +101,8 @@ def slider_crank_from_stroke(
     """
     refuse(_impossible(stroke, pressure_angle, return_pressure_angle, rod_length, mean_speed, speed))
     if rod_length is not None and rod_length <= (least := least_rod(stroke, offset or 0.0)):
-        allowed = _("must be more than {least} for this stroke, or the crank cannot turn", least=precise(least))
-        raise InputError([Problem("rod_length", precise(rod_length), allowed)])
+        allowed = _("must be more than {least} for this stroke, or the crank cannot turn", least=as_limit(least))
+        raise InputError([Problem("rod_length", as_limit(rod_length), allowed)])
     working = pi / 2 if pressure_angle is None else pressure_angle
     back = working if return_pressure_angle is None else return_pressure_angle
     lengths = _chosen(stroke, rod_length, offset, working_stroke, (sin(working), sin(back)))

@@ -352,3 +352,20 @@ class TestWithValue:
     @pytest.mark.parametrize(("path", "given"), [("name", "\udcff"), ("\udcff", "name")])
     def test_half_characters(self, engine, path, given):
         problem_of(engine.with_value, path, given)
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        ('["0 deg", "90 deg"]', '["0 deg", "90 deg"]'),
+        (str([f"{i} mm" for i in range(40)]), "a list of 40, from 0 mm to 39 mm"),
+        ('[{ value = "1 mm", note = "a, b" }, { value = "7 mm" }]', "a list of 2, from 1 mm to 7 mm"),
+        ('[{ a = "1" }, { b = "2" }]', "a list of 2"),
+        ('{ value = "45 mm", status = "assumed", note = "as drawn" }', "45 mm"),
+        (str(list(range(100, 140))), "a list of 40"),
+    ],
+)
+def test_what_was_typed_is_quoted_as_one_would_say_it(typed, said):
+    """Of a list how many it has, and from where to where; of a number without its status."""
+    document = Document.from_text(f"[load.x]\ntravel = {typed}\n", "x.toml")
+    assert document.located(Problem("load.x.travel", None, "is wrong")).given == said

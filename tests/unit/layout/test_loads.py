@@ -43,7 +43,7 @@ CRANK = {"kind": "slider_crank", "stroke": "80 mm", "rod_length": "140 mm"}
         (
             CRANK,
             {"on": "piston", "force": ["1 N", "2 N"], "travel": ["80 mm", "0 mm"]},
-            "load.x.travel: must rise from one place to the next",
+            "load.x.travel[1] = 0 mm: must be more than 80 mm, the place before it",
         ),
         (
             CRANK,

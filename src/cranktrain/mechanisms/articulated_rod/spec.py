@@ -10,7 +10,7 @@ from cranktrain.mechanisms.articulated_rod.kinematics import ArticulatedRod, art
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.numerics import largest
 from cranktrain.quantities import Angle, Given, Length, NonNegativeLength, PositiveLength
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 
 class ArticulatedRodSpec(MechanismSpec, frozen=True):
@@ -47,4 +47,4 @@ def articulated_rod_geometry(spec: ArticulatedRodSpec, master: Master | None) ->
 def articulated_rod_advice(geometry: ArticulatedRod) -> Words:
     """Say how long the slave rod must be; its master closes."""
     farthest = largest(lambda phi: np.abs(articulated_rod(phi, geometry).knuckle.y.value - geometry.offset))
-    return _("rod_length must be more than {least}", least=precise(float(farthest.value[0])))
+    return _("rod_length must be more than {least}", least=as_limit(float(farthest.value[0])))

@@ -6,7 +6,7 @@ from typing import TypeAlias
 import numpy as np
 
 from cranktrain.errors import Problem
-from cranktrain.language import _
+from cranktrain.language import Listed, Words, _
 from cranktrain.linkage import LinkPoint, Pin
 from cranktrain.mechanisms.chain.assembly import assembled, made_above, modes_of
 from cranktrain.mechanisms.chain.parts import (
@@ -55,7 +55,7 @@ from cranktrain.mechanisms.spec import Master
 from cranktrain.motion import ZERO, Array, single
 from cranktrain.numerics.designs import over_designs
 from cranktrain.quantities import Given
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 _Near: TypeAlias = tuple[Coordinates, ...]
 
@@ -182,7 +182,7 @@ def mode_problems(spec: ChainTable) -> Iterator[Problem]:
         step, own = triad_at(structure, place, size)
         modes = modes_of(step, own, made_above(structure, place, size))
         if len(modes) > 1:
-            ways = "; ".join(_joints(part, mode.joints) for mode in modes)
+            ways = Listed([_joints(part, mode.joints) for mode in modes], "; ")
             allowed = _(
                 "fits in {n} ways where the crank lies along x; say where about a joint lies, near = [x, y] in a leg: "
                 "{ways}"
@@ -190,8 +190,11 @@ def mode_problems(spec: ChainTable) -> Iterator[Problem]:
             yield Problem(f"part[{place}].link", part.link, allowed.format(n=len(modes), ways=ways))
 
 
-def _joints(part: TriadPartSpec, joints: Array) -> str:
+def _joints(part: TriadPartSpec, joints: Array) -> Words:
     """Say where the joints of a link lie."""
-    return ", ".join(
-        f"{leg.joint or leg.slider} ({precise(x)}, {precise(y)})" for leg, (x, y) in zip(part.leg, joints, strict=True)
+    return Listed(
+        [
+            Listed((f"{leg.joint or leg.slider} (", as_limit(x), ", ", as_limit(y), ")"), "")
+            for leg, (x, y) in zip(part.leg, joints, strict=True)
+        ]
     )

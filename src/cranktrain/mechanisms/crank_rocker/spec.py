@@ -12,7 +12,7 @@ from cranktrain.mechanisms.crank_rocker.kinematics import CrankRocker
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, single
 from cranktrain.quantities import PositiveLength
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 _SIDES = {"left": 1.0, "right": -1.0}
 
@@ -85,9 +85,9 @@ def crank_rocker_advice(geometry: CrankRocker) -> Words:
     least = max(farthest - geometry.rocker_length, geometry.rocker_length - nearest)
     most = geometry.rocker_length + nearest
     if least >= most and geometry.rocker_length == geometry.crank_radius:
-        return _("rod_length must be {least}, for a parallelogram", least=precise(float(geometry.ground_length)))
+        return _("rod_length must be {least}, for a parallelogram", least=as_limit(float(geometry.ground_length)))
     if least >= most and geometry.rocker_length == geometry.ground_length:
-        return _("rod_length must be {least}, for a kite", least=precise(float(geometry.crank_radius)))
+        return _("rod_length must be {least}, for a kite", least=as_limit(float(geometry.crank_radius)))
     if geometry.crank_radius == geometry.ground_length:
         return _(
             "with ground_length = crank_radius the crank turns all round only where rod_length = rocker_length, and "
@@ -95,4 +95,4 @@ def crank_rocker_advice(geometry: CrankRocker) -> Words:
         )
     if least >= most:
         return _("no rod_length lets the crank turn: the crank or the ground must be the shortest link")
-    return _("rod_length must lie between {least} and {most}", least=precise(float(least)), most=precise(float(most)))
+    return _("rod_length must lie between {least} and {most}", least=as_limit(float(least)), most=as_limit(float(most)))

@@ -11,7 +11,7 @@ from cranktrain.mechanisms.eccentric.kinematics import Eccentric
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.mechanisms.valve_gear import Admission, set_ahead
 from cranktrain.quantities import Angle, Given, Length, PositiveLength
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 
 class EccentricSpec(MechanismSpec, frozen=True):
@@ -66,4 +66,4 @@ def eccentric_geometry(spec: EccentricSpec, _master: Master | None = None) -> Ec
 def eccentric_advice(geometry: Eccentric) -> Words:
     """Say how long the rod must be for the shaft to turn."""
     least = geometry.crank_radius + abs(geometry.offset)
-    return _("rod_length must be more than eccentricity + |offset| = {least}", least=precise(float(least)))
+    return _("rod_length must be more than eccentricity + |offset| = {least}", least=as_limit(float(least)))

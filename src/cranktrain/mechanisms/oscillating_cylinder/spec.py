@@ -8,7 +8,7 @@ from cranktrain.language import N_, Words, _
 from cranktrain.linkage import CrankAndPivot
 from cranktrain.mechanisms.rocking_guide import RockingGuideSpec
 from cranktrain.quantities import Given, Length, PositiveLength
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 
 class OscillatingCylinderSpec(RockingGuideSpec, frozen=True):
@@ -27,4 +27,4 @@ class OscillatingCylinderSpec(RockingGuideSpec, frozen=True):
 def oscillating_cylinder_advice(geometry: CrankAndPivot) -> Words:
     """Say how far the trunnion must be for the crank to turn."""
     radius, offset = float(geometry.crank_radius), abs(float(geometry.offset))
-    return _("ground_length must be more than crank_radius + |offset| = {least}", least=precise(radius + offset))
+    return _("ground_length must be more than crank_radius + |offset| = {least}", least=as_limit(radius + offset))

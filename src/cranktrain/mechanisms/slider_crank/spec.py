@@ -13,7 +13,7 @@ from cranktrain.mechanisms.slider_crank.kinematics import SliderCrank
 from cranktrain.mechanisms.spec import Master, MechanismSpec
 from cranktrain.motion import Array, chosen, single
 from cranktrain.quantities import Dimension, Given, Length, PositiveLength, PositiveRatio, Quantity
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 _CRANKS = ("crank_radius", "stroke")
 RODS = ("rod_length", "crank_to_rod_ratio", "rod_to_crank_ratio")
@@ -87,7 +87,7 @@ def _stroke_limit(spec: SliderCrankSpec) -> Words:
     rod, offset = spec.rod_length.si, abs(spec.offset.si)
     if offset >= rod:
         return _("no crank makes a stroke with this offset, which must be less than the rod's length")
-    most = precise(2 * sqrt(rod * (rod - offset)))
+    most = as_limit(2 * sqrt(rod * (rod - offset)))
     return _("must be at most 2√(L(L − |e|)) = {most} with this rod and offset", most=most)
 
 
@@ -137,7 +137,7 @@ def _radius_from_stroke(spec: SliderCrankSpec) -> Array:
 def slider_crank_advice(geometry: SliderCrank) -> Words:
     """Say how long the rod must be for the crank to turn."""
     least = geometry.crank_radius + abs(geometry.offset)
-    return _("rod_length must be more than crank_radius + |offset| = {least}", least=precise(float(least)))
+    return _("rod_length must be more than crank_radius + |offset| = {least}", least=as_limit(float(least)))
 
 
 def slider_crank_ratio(geometry: SliderCrank) -> Array:

@@ -8,7 +8,7 @@ from cranktrain.language import N_, Words, _
 from cranktrain.linkage import CrankAndPivot
 from cranktrain.mechanisms.rocking_guide import RockingGuideSpec
 from cranktrain.quantities import Given, Length, PositiveLength
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 
 class SlottedLeverSpec(RockingGuideSpec, frozen=True):
@@ -28,9 +28,9 @@ def slotted_lever_advice(geometry: CrankAndPivot) -> Words:
     """Say how far the pivot must be for the crank to turn."""
     radius, offset = float(geometry.crank_radius), abs(float(geometry.offset))
     if radius <= offset:
-        return _("ground_length must be more than crank_radius + |offset| = {least}", least=precise(radius + offset))
+        return _("ground_length must be more than crank_radius + |offset| = {least}", least=as_limit(radius + offset))
     return _(
         "ground_length must be more than {least}, or less than {most} for a lever that turns all round",
-        least=precise(radius + offset),
-        most=precise(radius - offset),
+        least=as_limit(radius + offset),
+        most=as_limit(radius - offset),
     )

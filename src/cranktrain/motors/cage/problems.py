@@ -20,7 +20,7 @@ from cranktrain.motors.induction.breakdown_slip import slip_from_rated
 from cranktrain.motors.induction.kloss import slip_of
 from cranktrain.motors.spec import first, missing_keys, out_of_place
 from cranktrain.quantities import Given, shown
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 _OF_SIZE = ("power", "torque", "speed", "synchronous_speed", "frequency", "poles")
 """What a size says by itself; torques by their ratios, current and inertia may be the maker's."""
@@ -84,7 +84,7 @@ def _ratio_problems(spec: CageKeys) -> Iterator[Problem]:
     """Torques in the wrong order."""
     breakdown, start = first(breakdown_over_rated(spec)), first(ratio_of(spec, "starting_ratio"))
     if spec.breakdown_torque is not None and breakdown <= 1:
-        rated = precise(first(rating_of(spec).torque), "N·m")
+        rated = as_limit(first(rating_of(spec).torque), "N·m")
         allowed = _("must be above the rated torque, {rated}", rated=rated)
         yield Problem("breakdown_torque", spec.breakdown_torque.text, allowed)
     if start > breakdown:

@@ -13,7 +13,7 @@ from cranktrain.motors.law import OfRated
 from cranktrain.motors.servo.law import SERVO, Servo
 from cranktrain.motors.spec import RatedSpec
 from cranktrain.quantities import Dimension, Given, PositivePower, PositiveSpeed, PositiveTorque, Quantity
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 AnyTorque = Annotated[Given, Quantity(Dimension.TORQUE)]
 
@@ -38,11 +38,11 @@ class ServoSpec(RatedSpec, frozen=True):
         yield from super()._problems()
         if self.is_rated and self.peak_torque.si < float(self.rating.torque):
             allowed = _("must not be below the rated torque, {rated}")
-            rated = precise(float(self.rating.torque), "N·m")
+            rated = as_limit(float(self.rating.torque), "N·m")
             yield Problem("peak_torque", self.peak_torque.text, allowed.format(rated=rated))
         if self.is_rated and self.peak_power is not None and self.peak_power.si < float(self.rating.power):
             allowed = _("must not be below the rated power, {rated}")
-            rated = precise(float(self.rating.power), "kW")
+            rated = as_limit(float(self.rating.power), "kW")
             yield Problem("peak_power", self.peak_power.text, allowed.format(rated=rated))
         if self.speed is not None and self.top_speed is not None and self.top_speed.si < self.speed.si:
             allowed = _("must not be below speed = {speed}")

@@ -22,7 +22,7 @@ from cranktrain.questions.crankshaft.shaft_line import (
 )
 from cranktrain.questions.crankshaft.spec import NEEDED, CrankshaftSpec, CrankshaftTable, GearSpec
 from cranktrain.record import record
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 
 _TOUCHING = 1e-9
 """Lengths that differ by less are the same. [m]"""
@@ -163,8 +163,8 @@ class _OneShaft:
             for diameter, bore in zip(diameters, bores, strict=True):
                 if bore >= diameter:
                     allowed = _("must be less than {name}_diameter = {diameter}")
-                    said = allowed.format(name=name, diameter=precise(plain(diameter)))
-                    yield self.problem(f"{name}_bore", precise(plain(bore)), said)
+                    said = allowed.format(name=name, diameter=as_limit(plain(diameter)))
+                    yield self.problem(f"{name}_bore", as_limit(plain(bore)), said)
                     break
 
     def _room(self, line: ShaftLine) -> Iterator[Problem]:
@@ -177,7 +177,7 @@ class _OneShaft:
             if gap <= _TOUCHING:
                 given = self.table.pin_length
                 allowed = _("must leave room between pins {one} and {other} with their webs: more than {gap} more")
-                said = allowed.format(one=number + 1, other=number + 2, gap=precise(-gap))
+                said = allowed.format(one=number + 1, other=number + 2, gap=as_limit(-gap))
                 yield self.problem("pin_length", _texts(given), said)
 
     def _standing(self, line: ShaftLine) -> Iterator[Problem]:
@@ -188,7 +188,7 @@ class _OneShaft:
                 own = self.table.bearing.get(bearing.name)
                 key = "bearing_distance" if own is None else f"bearing.{bearing.name}.z"
                 given = self.table.bearing_distance if own is None else own.z
-                said = allowed.format(z=precise(plain(bearing.z)))
+                said = allowed.format(z=as_limit(plain(bearing.z)))
                 yield self.problem(key, None if given is None else given.text, said)
         yield from self._directions(line)
         yield from self._apart(line)
@@ -214,7 +214,7 @@ class _OneShaft:
                     allowed = _("must stand clear of bearing {name} and its width", name=bearing.name)
                     yield self.problem(f"{where}.z", given.z.text, allowed)
             if shoulder.bore >= shoulder.diameter:
-                allowed = _("must be more than its bore, {bore}", bore=precise(plain(shoulder.bore)))
+                allowed = _("must be more than its bore, {bore}", bore=as_limit(plain(shoulder.bore)))
                 yield self.problem(f"{where}.diameter", given.diameter.text, allowed)
 
     def _directions(self, line: ShaftLine) -> Iterator[Problem]:
@@ -237,7 +237,7 @@ class _OneShaft:
                 yield self.problem("bearing", None, _("must stand apart from one another along the shaft"))
             elif apart < sum(widths) / 2:
                 allowed = _("must stand clear of one another: {one} and {other} are {apart} apart, and wider")
-                said = allowed.format(one=one.name, other=other.name, apart=precise(apart))
+                said = allowed.format(one=one.name, other=other.name, apart=as_limit(apart))
                 yield self.problem("bearing", None, said)
 
     def _gears(self, line: ShaftLine) -> Iterator[Problem]:
@@ -263,8 +263,8 @@ class _OneShaft:
             if 2 * aside >= length and (aside, length) not in found:
                 found.append((aside, length))
                 allowed = _("must reach to the rod of {name}, which is {aside} from the middle of its pin")
-                said = allowed.format(name=place.name, aside=precise(aside))
-                yield self.problem("pin_length", precise(length), said)
+                said = allowed.format(name=place.name, aside=as_limit(aside))
+                yield self.problem("pin_length", as_limit(length), said)
 
 
 def _on_journal(line: ShaftLine, z: float) -> bool:

@@ -10,7 +10,7 @@ from cranktrain.language import N_, _
 from cranktrain.listed import OneOrMany
 from cranktrain.motion import ZERO, Array
 from cranktrain.quantities import Given, NonNegativeLength, PositiveLength, PositivePressure, PositiveTorsionalStiffness
-from cranktrain.saying.wording import precise
+from cranktrain.saying.wording import as_limit
 from cranktrain.spec import Spec
 
 STEEL = Given(206e9 / 2.6, "79.23 GPa")
@@ -84,8 +84,8 @@ class ShaftPieceSpec(Spec, frozen=True):
         n = len(self.length or ())
         for outer, inner in zip(_each(self.diameter or (), n), _each(self.bore or (None,), n), strict=True):
             if inner >= outer:
-                allowed = _("must be less than the diameter, {diameter}", diameter=precise(float(outer)))
-                yield Problem("bore", precise(float(inner)), allowed)
+                allowed = _("must be less than the diameter, {diameter}", diameter=as_limit(float(outer)))
+                yield Problem("bore", as_limit(float(inner)), allowed)
                 return
         if self.stiffness is not None and abs(self.stiffness.si / float(self._by_sizes) - 1) > _ALIKE:
             allowed = _("must be that of its length and diameter, {stiffness} N·m/rad; keep one of the two")

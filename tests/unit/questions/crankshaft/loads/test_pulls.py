@@ -146,7 +146,7 @@ WRONG = {
     ),
     "back and forth": (
         {"force": ["1 kN", "2 kN"], "crank_angles": ["90 deg", "0 deg"]},
-        "crankshaft.pull.belt.crank_angles: must rise from one place to the next",
+        "crankshaft.pull.belt.crank_angles[1] = 0 deg: must be more than 90 deg, the place before it",
     ),
     "three turns": (
         {"force": ["1 kN", "2 kN"], "crank_angles": ["0 deg", "900 deg"]},
