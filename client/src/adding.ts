@@ -2,7 +2,8 @@
 
 import type { AddingWords, DrawnAddition, DrawnClick, DrawnTarget } from "./data.ts";
 import { html, svg } from "./elements.ts";
-import { roomier, type Mechanism, type View } from "./mechanism.ts";
+import type { Mechanism } from "./mechanism.ts";
+import { roomier, type View } from "./placing.ts";
 import { polyline, type Point } from "./points.ts";
 import { said } from "./words.ts";
 

@@ -3,8 +3,9 @@
 import { Adding, type AddedPart } from "./adding.ts";
 import type { AddingWords, DrawnHandle, PageHandles } from "./data.ts";
 import { html, write } from "./elements.ts";
-import type { Mechanism, View } from "./mechanism.ts";
+import type { Mechanism } from "./mechanism.ts";
 import { between, number, row } from "./numbers.ts";
+import type { View } from "./placing.ts";
 import type { Point } from "./points.ts";
 
 /** Over which crank angle slopes repeat. [deg] */

@@ -8,9 +8,10 @@ import type { PageCourse, PageMembers, PageOthers, PagePiston, PageTab, PageTrus
 import { html, write } from "./elements.ts";
 import { Handles, type Editing } from "./handles.ts";
 import { dragged, pressed } from "./hands.ts";
-import { Mechanism, type View } from "./mechanism.ts";
+import { Mechanism } from "./mechanism.ts";
 import { Members } from "./members.ts";
 import { number, same } from "./numbers.ts";
+import type { View } from "./placing.ts";
 import { hasDifferences, Sheets } from "./sheets.ts";
 import { answer, checks, table } from "./tables.ts";
 import { Throws } from "./throws.ts";
