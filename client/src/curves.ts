@@ -4,7 +4,7 @@ import uPlot from "uplot";
 
 import { type Figures, NumbersOf, plain, titled } from "./charts.ts";
 import type { Curve, OtherCurve, PageCurves, Panel } from "./data.ts";
-import { html, svg } from "./elements.ts";
+import { html, svg, write } from "./elements.ts";
 import { canvasColour, type Ink, inkOf, LEVELS, PENS } from "./ink.ts";
 import { extent, figure, figures, interpolated, number, read, same, ticks } from "./numbers.ts";
 import { fineness } from "./paper.ts";
@@ -124,8 +124,9 @@ class ShownPanel {
   private otherLines: readonly Line[] = [];
   /** Of the other pistons' lines that at which somebody points, or −1. */
   private pointed = -1;
-  private readonly otherItem = html("li", { class: "ink-muted", hidden: "" });
-  private readonly whose = html("div", { class: "whose", hidden: "" });
+  private readonly otherWord = html("button", { type: "button", class: "whose-next" });
+  private readonly otherItem = html("li", { class: "ink-muted", hidden: "" }, lineSample("each"), this.otherWord);
+  private readonly whose = html("div", { class: "whose", hidden: "", role: "status" });
   private largest = 0;
   /** Ends of the axes. */
   private reach: readonly [number, number] = [0, 1];
@@ -170,11 +171,22 @@ class ShownPanel {
     this.others = others;
     this.otherLines = others.map((one) => lineOf(one, this.panel));
     this.otherItem.hidden = others.length === 0;
-    this.otherItem.replaceChildren(lineSample("each"), word);
-    this.otherItem.title = [...new Set(others.flatMap((one) => one.names))].join(BETWEEN);
+    write(this.otherWord, word);
+    this.otherWord.title = [...new Set(others.flatMap((one) => one.names))].join(BETWEEN);
     this.point(-1);
     this.scale();
     this.plot?.setData(this.data());
+  }
+
+  /** Tell whose the next of the other lines is, or one before, where it is farthest from 0; after the last one of none. */
+  private tellNext(by: 1 | -1): void {
+    const n = this.otherLines.length + 1;
+    const which = ((this.pointed + 1 + by + n) % n) - 1;
+    const line = this.otherLines[which];
+    if (!line || !this.plot) return this.point(-1);
+    const sizes = line.values.map((value) => (Number.isFinite(value) ? Math.abs(value) : -1));
+    const most = sizes.indexOf(Math.max(...sizes));
+    this.point(which, this.plot.valToPos(line.across[most] ?? NaN, "x"), this.plot.valToPos(line.values[most] ?? NaN, "y"));
   }
 
   private scale(): void {
@@ -243,6 +255,15 @@ class ShownPanel {
       this.readings.push(reading);
       if (this.hasCursor) item.append(reading);
       if (this.isNamed(curve)) list.append(item);
+    });
+    this.otherWord.addEventListener("click", () => { this.tellNext(1); });
+    this.otherWord.addEventListener("blur", () => { this.point(-1); });
+    this.otherWord.addEventListener("keydown", (event) => {
+      const by = event.key === "ArrowDown" ? 1 : event.key === "ArrowUp" ? -1 : 0;
+      if (by) this.tellNext(by);
+      else if (event.key === "Escape") this.point(-1);
+      else return;
+      event.preventDefault();
     });
     list.append(this.otherItem);
     return list;
@@ -357,7 +378,8 @@ class ShownPanel {
     };
     plot.over.addEventListener("pointermove", aim);
     plot.over.addEventListener("pointerdown", aim);
-    plot.over.addEventListener("pointerleave", () => { this.point(-1); });
+    // A finger leaves where it has pointed: what it has found stays until the next one.
+    plot.over.addEventListener("pointerleave", (event) => { if (event.pointerType !== "touch") this.point(-1); });
     if (!this.hasCursor) return;
     const turn = (event: PointerEvent): void => {
       const box = plot.over.getBoundingClientRect();

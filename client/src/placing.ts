@@ -4,7 +4,7 @@ import type { MachineDrawing, MechanismDrawing, Numbers, OutputDrawing } from ".
 import { at, between, extent, number, row } from "./numbers.ts";
 import { xy, type Point } from "./points.ts";
 import { corners } from "./slider.ts";
-import { NARROW, SCALE_ROW } from "./vectors.ts";
+import { NARROW, SCALE_ROOM } from "./vectors.ts";
 
 /** Size of the picture, in its own units, along its longer side. */
 export const LONG = 600;
@@ -98,7 +98,7 @@ export class Placing {
     const height = bounds.top - bounds.bottom;
     const scale = (LONG - 2 * MARGIN) / Math.max(width, height, LESS);
     const across = width * scale + 2 * MARGIN;
-    const strip = across < NARROW ? SCALE_ROW : 0;
+    const strip = across < NARROW ? SCALE_ROOM : 0;
     return { scale, box: [bounds.left * scale - MARGIN, -bounds.top * scale - MARGIN, across, height * scale + 2 * MARGIN + strip] };
   }
 

@@ -18,9 +18,10 @@ const LEAST_NAMED = 14;
 const LONG = 120;
 const SHORTEST = 0.4;
 
-/** In a narrower picture scales of vectors stand over that of lengths, so high. */
+/** In a narrower picture scales of vectors stand over that of lengths, so high, and need so much room. */
 export const NARROW = 420;
-export const SCALE_ROW = 18;
+const SCALE_ROW = 26;
+export const SCALE_ROOM = 44;
 
 /** From the end of an arrow to the middle of its name; and where else it may stand: so far [px], turned by how much from the arrow's direction. */
 const BEYOND = 10;

@@ -57,6 +57,43 @@ def test_keys_reach_it(opened):
     assert pressed(page) == "true"
 
 
+def test_keys_tell_whose_each_line_is(opened):
+    """One after the other, as the names that a pointer finds; arrows go on and back, Escape ends it."""
+    page = opened("3d12", "#phi=0&tab=Motion")
+    page.locator(SWITCH).click()
+    tab_to(page, ".whose-next")
+    told = []
+    for key in ("Enter", "ArrowDown", "ArrowDown", "Space"):
+        page.keyboard.press(key)
+        (who,) = said(page)
+        told.append(who)
+    assert len(set(told)) == 4
+    page.keyboard.press("ArrowUp")
+    assert said(page) == [told[2]]
+    page.keyboard.press("Escape")
+    assert said(page) == []
+    every = {name for who in told for name in who.split(", ")}
+    assert every <= set(ct.run("3d12").labels["piston"]) - {"1L"}
+
+
+def test_a_finger_s_tap_tells_whose_line_it_is_until_the_next(chromium, tmp_path):
+    page_file = tmp_path / "3d12.html"
+    ct.run("3d12").view().save(page_file)
+    context = chromium.new_context(viewport={"width": 390, "height": 844}, has_touch=True, reduced_motion="reduce")
+    page = context.new_page()
+    page.goto(page_file.as_uri() + "#phi=0&tab=Motion")
+    page.locator(SWITCH).tap()
+    over = page.locator(".panel .u-over").first
+    over.scroll_into_view_if_needed()
+    page.wait_for_timeout(200)
+    box = over.bounding_box()
+    page.touchscreen.tap(box["x"] + box["width"] / 3, box["y"] + 0.98 * box["height"])
+    assert said(page) == ["2L, 5L"]
+    page.touchscreen.tap(box["x"] + box["width"] / 3, box["y"] + 0.3 * box["height"])
+    assert said(page) != ["2L, 5L"]
+    context.close()
+
+
 @pytest.mark.parametrize(("name", "tab"), [("r_1340", "Motion"), ("3d12", "Torque"), ("shears", "Motion")])
 def test_a_tab_that_shows_all_or_none_of_one_piston_has_no_switch(opened, name, tab):
     page = opened(name, f"#phi=0&tab={tab}")

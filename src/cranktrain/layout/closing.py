@@ -10,7 +10,7 @@ from cranktrain.grouping import grouped
 from cranktrain.language import Said, Words, _
 from cranktrain.layout.design import Design
 from cranktrain.layout.places import PlacedMechanism
-from cranktrain.mechanisms.closing import OpenRange, open_ranges
+from cranktrain.mechanisms.closing import OpenRange, open_ranges, opens
 from cranktrain.motion import Array
 from cranktrain.numerics.harmonics import TURN
 from cranktrain.quantities import FileUnits, Given, own_units, problem_in_units
@@ -77,8 +77,10 @@ def _closing_problems(place: PlacedMechanism, ranges: Sequence[OpenRange], zero:
         field = find if isinstance(find, str) else find(place.spec, geometry)
         yield _closing_problem(place, field, said, ranges, ranges, zero)
         return
-    for part in said:
-        own = open_ranges(kind, geometry, part.gap)
+    to_blame = [part for part in said if opens(part.gap, kind, geometry)]
+    for part in to_blame:
+        # What one part alone cannot is what the whole cannot.
+        own = ranges if len(to_blame) == 1 else open_ranges(kind, geometry, part.gap)
         if own:
             yield _closing_problem(place, part.field, part.advice, own, ranges, zero)
 

@@ -11,7 +11,7 @@ from cranktrain.motion import Array, Link
 _STEPS = 40
 _FIRST_DAMPING = 1e-3
 _LEAST_DAMPING, _MOST_DAMPING = 1e-16, 1e6
-_SETTLED = 1e-13  # of the link's size
+_SETTLED, _FLAT = 1e-13, 1e-7  # of the link's size; where a step makes the sum less, and where it does not
 
 
 class NearestPose(NamedTuple):
@@ -66,7 +66,8 @@ def nearest_pose(ends: TriadEnds, geometry: Triad, start: Pose) -> NearestPose:
         square = np.where(is_less, square_there, square)
         damping = np.clip(np.where(is_less, 0.1 * damping, 10.0 * damping), _LEAST_DAMPING, _MOST_DAMPING)
         moved = np.abs(step[0]) + np.abs(step[1]) + size * np.abs(step[2])
-        if not np.any(moved > _SETTLED * size):
+        # About a least sum that is not 0, so small a step is lost in its rounding.
+        if not np.any(moved > np.where(is_less, _SETTLED, _FLAT) * size):
             break
     largest = np.max(np.abs(here.opening), axis=0)
     return NearestPose(Pose(*pose), np.where(largest > 0, square / np.where(largest > 0, largest, 1.0), largest))

@@ -76,7 +76,7 @@ def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingM
     margin, angle = np.full((2, np.prod(shape), 1), np.nan)
     length = np.full(margin.shape, -1, dtype=np.intp)
     with np.errstate(all="ignore"):
-        closes = _close_by_far(kind, flat, _GRID)
+        closes = _close_by_far(kind, flat, kind.gap(_GRID, flat))
         unclear = np.flatnonzero(~closes)
         if len(unclear) > 0:
             own = rows(flat, unclear)
@@ -91,17 +91,16 @@ def closing_margin(kind: Kind[Motion, Geometry], geometry: Geometry) -> ClosingM
     return ClosingMargin(margin.reshape(shape), length.reshape(shape), angle.reshape(shape))
 
 
-def _close_by_far(kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array) -> NDArray[np.bool_]:
+def _close_by_far(kind: Kind[Motion, Geometry], geometry: Geometry, gaps: Array) -> NDArray[np.bool_]:
     """Whether links close by far more than their gap bends from point to point of a turn, and so between them too."""
-    return _seen_from_far(kind, geometry, grid)[0]
+    return _seen_from_far(kind, geometry, gaps)[0]
 
 
 def _seen_from_far(
-    kind: Kind[Motion, Geometry], geometry: Geometry, grid: Array
+    kind: Kind[Motion, Geometry], geometry: Geometry, gaps: Array
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Whether links close by far, and whether they are open at one of some angles by more than nothing."""
     near = _NEAR * _all_lengths(kind, geometry)
-    gaps = kind.gap(grid, geometry)
     bend = _bend(gaps)
     least = gaps.min(axis=-1, keepdims=True)
     return ((least > _FAR * bend) & (least > near))[..., 0], (least < -near)[..., 0]
@@ -274,7 +273,8 @@ def closing_all_round(kind: Kind[Motion, Geometry], geometry: Geometry) -> Closi
         for start in range(0, n_rows, _BLOCK):
             left = np.arange(start, min(start + _BLOCK, n_rows))
             for grid in (turn_grid(),) if is_walked else (_SCAN_GRID, turn_grid()):
-                far, is_open = _seen_from_far(kind, rows(geometry, left), grid)
+                own = rows(geometry, left)
+                far, is_open = _seen_from_far(kind, own, kind.gap(grid, own))
                 closes[left[far]] = True
                 left = left[~far & ~is_open]
             if left.size:
@@ -312,19 +312,21 @@ def open_ranges(
         never close. A change point, where they only just close, is a range of hardly any length.
     """
     with np.errstate(all="ignore"):
-        if gap is None and _close_by_far(kind, geometry, turn_grid()):
-            return ()
         rounding = _rounding(kind, geometry)
 
         def curve(phi: Array) -> Array:
             return (kind.gap(phi, geometry) if gap is None else gap(phi)) - rounding
 
-        deepest = smallest(curve)
+        known = curve(turn_grid())
+        if gap is None and _close_by_far(kind, geometry, known + rounding):
+            return ()
+        deepest = smallest(curve, samples=known)
         if deepest.value[0] > 0:
             return ()
         # The least gap may lie between two grid points.
-        grid = np.unique(np.append(turn_grid(), np.mod(deepest.angle, 2 * np.pi)))
-        is_open = ~(curve(grid) > 0)
+        between = np.mod(deepest.angle, 2 * np.pi)
+        grid, place = np.unique(np.append(turn_grid(), between), return_index=True)
+        is_open = ~(np.append(known, curve(between))[place] > 0)
         if np.all(is_open):
             return (OpenRange(0.0, 2 * np.pi, float(-deepest.value[0])),)
         start_at = np.flatnonzero(is_open & ~np.roll(is_open, 1))
@@ -332,11 +334,16 @@ def open_ranges(
         if end_at[0] < start_at[0]:
             end_at = np.roll(end_at, -1)
         ring = np.concatenate([grid[-1:] - 2 * np.pi, grid, grid[:1] + 2 * np.pi])
-        ranges: list[OpenRange] = []
-        for first, last in zip(start_at.tolist(), end_at.tolist(), strict=True):
-            start = bracketed_roots(curve, ring[[first]], grid[[first]])
-            end = bracketed_roots(curve, grid[[last]], ring[[last + 2]])
-            end = end + 2 * np.pi * (end < start)
-            inside = np.linspace(float(start[0]), float(end[0]), 91)
-            ranges.append(OpenRange(float(start[0]), float(end[0]), float(-np.nanmin(curve(inside)))))
-    return tuple(ranges)
+        low, high = np.append(ring[start_at], grid[end_at]), np.append(grid[start_at], ring[end_at + 2])
+        start, end = np.split(bracketed_roots(curve, low, high), 2)
+        end = end + 2 * np.pi * (end < start)
+        inside = curve(np.linspace(start, end, 91, axis=-1))
+        short = -np.nanmin(inside, axis=-1)
+    return tuple(map(OpenRange, start.tolist(), end.tolist(), short.tolist()))
+
+
+def opens(gap: Callable[[Array], Array], kind: Kind[Motion, Geometry], geometry: Geometry) -> bool:
+    """Whether a part of a mechanism, by how much it closes at an angle, cannot close somewhere on the turn."""
+    rounding = _rounding(kind, geometry)
+    with np.errstate(all="ignore"):
+        return not smallest(lambda phi: gap(phi) - rounding).value[0] > 0

@@ -115,6 +115,11 @@ def test_an_eccentric_is_ahead_of_the_crank(press):
         assert away(press.pin("eccentric.pin", press.angle + later), (expected.real, expected.imag)) < off
 
 
+def line_of(press, angle, offset):
+    """From the pivot's foot on a rocking guide to the guide's end, in the drawing."""
+    return press.pin("lever.end", angle) - (press.pin("lever.foot", angle) if offset else PIVOT)
+
+
 @pytest.mark.parametrize("degrees", [40.0, 75.0, 165.0])
 def test_a_rocking_guide_s_line_goes_through_block_and_click(press, degrees):
     """From the pivot it is as far at all crank angles; its end, in the drawing, says where it points."""
@@ -129,10 +134,10 @@ def test_a_rocking_guide_s_line_goes_through_block_and_click(press, degrees):
     assert typed == pytest.approx(offset if abs(offset) > 4.0 * lying.step else 0.0, abs=0.5001 * lying.step)
     for later in LATER:
         arm = crank_pin(lying, press.angle + later) - PIVOT
-        points = press.pin("lever.end", press.angle + later) - PIVOT
+        points = line_of(press, press.angle + later, typed)
         expected = np.arctan2(arm[1], arm[0]) - np.arcsin(typed / np.hypot(*arm))
         assert np.remainder(np.arctan2(points[1], points[0]) - expected + 1.0, 2.0 * np.pi) == pytest.approx(1.0)
-    points = press.pin("lever.end", press.angle) - PIVOT
+    points = line_of(press, press.angle, typed)
     slack = abs(typed - offset) / np.sqrt(np.hypot(*(block - PIVOT)) ** 2 - max(abs(typed), abs(offset)) ** 2)
     assert abs(left(way) @ points) / np.hypot(*points) < slack + 1e-9
 

@@ -75,11 +75,12 @@ def lacking(branch: Branch, ends: TriadEnds, legs: Triad, is_open: Array) -> Arr
     def there(parts: Nested) -> Nested:
         return each_changed(lambda value: np.broadcast_to(value, is_open.shape)[chosen], parts)
 
-    starts = [_last(walk) for walk in (branch.forward, branch.backward) if walk is not None]
-    starts = [Pose(*map(_given, start, branch.start)) for start in starts]
-    openings = [nearest_pose(there(ends), there(legs), there(start)).opening for start in starts]
+    lasts = [_last(walk) for walk in (branch.forward, branch.backward) if walk is not None]
+    starts = [there(Pose(*map(_given, last, branch.start))) for last in lasts]
+    # Of all starts at once: few angles are asked for at a time.
+    openings = nearest_pose(there(ends), there(legs), Pose(*map(np.stack, zip(*starts, strict=True)))).opening
     found = np.zeros(is_open.shape)
-    found[chosen] = np.fmin.reduce(openings)
+    found[chosen] = np.fmin.reduce(openings, axis=0)
     return np.where(branch.apart > 0, branch.apart, found)
 
 
