@@ -188,6 +188,8 @@ class App {
         if (instead) {
           this.steps.change(instead);
           await this.show();
+        } else {
+          this.form?.mark(asked.settings);
         }
         this.fail(error);
       }

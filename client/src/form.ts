@@ -51,9 +51,14 @@ export class Form {
       if (document.activeElement !== field.input || !field.input.classList.contains("typing")) {
         if (field.input.value !== one.text) field.input.value = one.text;
       }
-      field.input.closest(".field")?.classList.toggle("changed", settings.has(one.path));
       field.input.closest(".field")?.classList.toggle("long", one.text.length > LONG);
     }
+    this.mark(settings);
+  }
+
+  /** Show bold which numbers are set anew, also where there is no such machine. */
+  mark(settings: ReadonlyMap<string, string>): void {
+    for (const [path, { input }] of this.fields) input.closest(".field")?.classList.toggle("changed", settings.has(path));
   }
 
   /** Go to the field of a number. */

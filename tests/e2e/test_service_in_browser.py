@@ -328,6 +328,24 @@ def test_no_fault_on_any_tab_nor_among_all_machines(opened, axe):
     assert faults(page) == []
 
 
+def test_a_number_with_which_there_is_no_machine_is_marked_and_taken_back(opened):
+    """A rod so short that the jaw goes farther than its load says: told at the last place of that, and ↺ ends it."""
+    page = opened("#machine=jaw_crusher&phi=30")
+    page.locator("h1", has_text="jaw crusher").wait_for()
+    rod = page.get_by_label("rod length", exact=True).first
+    rod.fill("400 mm")
+    rod.press("Enter")
+    told = page.locator(".field:has([aria-invalid])")
+    told.wait_for()
+    assert told.locator("label").inner_text() == "travel 3"
+    assert "must go as far as the part goes" in told.inner_text()
+    changed = page.locator(".field.changed")
+    assert changed.locator("label").all_inner_texts() == ["rod length"]
+    changed.locator(".back").click()
+    told.wait_for(state="detached")
+    assert rod.input_value() == "1085 mm"
+
+
 def test_a_whole_edit_by_keys_alone(opened):
     page = opened("#machine=textbook_78x78&phi=0")
     settled(page, "stroke", "78.00")

@@ -387,7 +387,7 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
         if is_card:
             allowed = _("must go as far as the part goes, {whole}, or within 2 % of that, to be stretched")
         allowed = allowed.format(whole=precise(whole, unit_of(given[-1], dimension)))
-        yield Problem(f"{where}.{name}", given[-1].text, allowed)
+        yield Problem(f"{where}.{name}" if is_card else f"{where}.{name}[{len(given) - 1}]", given[-1].text, allowed)
 
 
 def of_member(link: Link, member: int) -> Link:

@@ -131,7 +131,10 @@ def _page_words() -> PageWords:
         ghosts=_("Dead centres"),
         pistons=_("Piston whose throw and curves are shown"),
         others=_("Other pistons"),
-        others_hint=_("Thin grey: the same of the other pistons. Point at a line to see whose it is, or press their name for one after the other."),
+        others_hint=_(
+            "Thin grey: the same of the other pistons. Point at a line to see whose it is, or press their name for one"
+            " after the other."
+        ),
         throws=_("Throws at φ = 0, as seen from the free end"),
         members=_("Pins and links at the crank angle"),
     )

@@ -28,7 +28,7 @@ CRANK = {"kind": "slider_crank", "stroke": "80 mm", "rod_length": "140 mm"}
         (
             CRANK,
             {"on": "piston", "force": ["1 N", "2 N"], "travel": ["0 mm", "20 mm"]},
-            "load.x.travel = 20 mm: must go as far as the part goes, 80 mm",
+            "load.x.travel[1] = 20 mm: must go as far as the part goes, 80 mm",
         ),
         (
             CRANK,
@@ -53,7 +53,7 @@ CRANK = {"kind": "slider_crank", "stroke": "80 mm", "rod_length": "140 mm"}
         (
             ROCKER,
             {"on": "rocker", "torque": ["1 N*m", "2 N*m"], "swing": ["0 deg", "30 deg"]},
-            "load.x.swing = 30 deg: must go as far as the part goes, 42.8136",
+            "load.x.swing[1] = 30 deg: must go as far as the part goes, 42.8136",
         ),
         (CRANK, {"on": "piston", "force": "1 N", "along": "5 mm"}, "load.x.along = 5 mm: is for a link; without a"),
         (CRANK, {"on": "piston", "force": "1 N", "counts": "against"}, "load.x.counts = against: is for sizes over"),
