@@ -82,7 +82,7 @@ def chain_drawing(structure: Structure, angle: Array, size: ChainSize) -> Drawin
         links=tuple(links),
         guides=tuple(sorted(guides, key=lambda guide: guide.pin != pin_of(structure.output))),
         fixed=fixed,
-        paths=tuple(name for name in points if name not in fixed),
+        paths=tuple(name for name in points if name not in (*fixed, *ends)),
         blocks=tuple(blocks),
         ends=tuple(ends),
     )
