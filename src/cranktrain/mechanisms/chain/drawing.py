@@ -110,7 +110,11 @@ def _slot_of_yoke(step: YokeStep, own: YokeSize, made: Made, places: Array) -> d
 def guide_end(structure: Structure, slider: str, size: ChainSize) -> tuple[Array, Array]:
     """X and y of that end of a slider's fixed guide which is farther from the point beside which it goes. [m]"""
     made = chain_made(structure, _COARSE, size)
-    step, own = next((step, own) for step, own in each_part(structure, size) if getattr(step, "slider", "") == slider)
+    step, own = next(
+        (step, own)
+        for step, own in each_part(structure, size)
+        if isinstance(step, SlideStep | YokeStep | TrammelStep | GuideLegStep) and step.slider == slider
+    )
     cos, sin = np.cos(own.direction), np.sin(own.direction)
     through = cos * made[step.through].x.value + sin * made[step.through].y.value
     begin, end = _beyond(made[slider].value)
