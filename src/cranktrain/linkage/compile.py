@@ -25,6 +25,7 @@ def compiled(
     *,
     faster: frozenset[str] = frozenset(),
     numpy: ModuleType | None = None,
+    instead: tuple[tuple[Callable[..., Any], Callable[..., Any]], ...] = (),
     within: bool = False,
 ) -> Callable[Parameters, Outcome]:
     """Compile a kernel and every kernel that it calls with Numba.
@@ -38,6 +39,8 @@ def compiled(
         unless given, so that what comes out is what the kernel itself gives, to the last bit.
     numpy : module, optional
         What stands for NumPy in the kernels.
+    instead : tuple of pairs of functions
+        Kernels, and what is called in the place of each.
     within : bool
         Whether it is called by other compiled code alone, and never from Python.
 
@@ -53,18 +56,26 @@ def compiled(
     InputError
         Where Numba is not installed, with how to have it.
     """
-    return cast(Callable[Parameters, Outcome], _compiled(kernel, faster, numpy, within=within))
+    return cast(Callable[Parameters, Outcome], _compiled(kernel, faster, numpy, instead, within=within))
 
 
 @cache
-def _compiled(kernel: FunctionType, faster: frozenset[str], numpy: ModuleType | None, *, within: bool) -> object:
+def _compiled(
+    kernel: FunctionType,
+    faster: frozenset[str],
+    numpy: ModuleType | None,
+    instead: tuple[tuple[Callable[..., Any], Callable[..., Any]], ...],
+    *,
+    within: bool,
+) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     from cranktrain.extras import imported  # only for who compiles
 
     numba = imported("numba", "compiled")
     teach_choices()
+    others: dict[Any, Any] = dict(instead)
     callees = {
-        name: _compiled(called, faster, numpy, within=True)
+        name: _compiled(others.get(called, called), faster, numpy, instead, within=True)
         for name in kernel.__code__.co_names
         if isinstance(called := kernel.__globals__.get(name), FunctionType) and called is not chosen
     }

@@ -4,6 +4,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.study.cycle.given import ChamberNumbers
+from cranktrain.study.cycle.panels import CutCycle
 
 TURN = 2 * np.pi
 
@@ -22,8 +23,24 @@ def branch_at(angle: float, room: ChamberNumbers, design: int, chamber: int, cyc
     return sense, 1.0 if after < opens or after > TURN + opens else -1.0
 
 
-STEPS, SETTLED = 30, 1e-12
-"""Steps of Halley's method for a kink, and one after which there is no other. [rad]"""
+def branch_from(
+    panel: int, cut: CutCycle, room: ChamberNumbers, design: int, chamber: int, cycle: float
+) -> tuple[float, float, int]:
+    """Sense and turn of a chamber in a panel, and which panel is the first after it on another branch."""
+    starts, widths = cut.panels.start, cut.panels.width
+    sense, turn = branch_at(starts[panel] + 0.5 * widths[panel], room, design, chamber, cycle)
+    after = panel + 1
+    while after < cut.n_panels:
+        its_sense, its_turn = branch_at(starts[after] + 0.5 * widths[after], room, design, chamber, cycle)
+        if its_sense != sense or its_turn != turn:
+            break
+        after += 1
+    return sense, turn, after
+
+
+STEPS, SETTLED, NEARLY = 30, 1e-12, 1e-5
+"""Steps to a dead centre or a kink, one after which there is no other, and one of Halley's method after which the next
+one, which goes by its third power, is less than rounding. [rad]"""
 
 
 def nearer(away: float, sense: float, excess: float, rate: float, rate_slope: float) -> float:

@@ -15,6 +15,8 @@ import numpy as np
 
 from cranktrain.linkage import compiled as compiled_kernel
 from cranktrain.linkage.compile import FROM_PYTHON, WITHIN
+from cranktrain.linkage.forces import Friction
+from cranktrain.linkage.forces.guide import Guided, friction_force
 from cranktrain.linkage.kept import keep
 from cranktrain.motion import Array
 from cranktrain.study.cycle import given, nodes, panels
@@ -50,6 +52,11 @@ def sine(angle: Any) -> Array:
 def not_asked(_sine: Array, _cosine: Array) -> float:
     """Value of an angle that nobody asks for."""
     return np.nan
+
+
+def no_friction(_guided: Guided, _friction: Friction) -> float:
+    """Force of friction in a guide: machines in which something rubs are not compiled."""
+    return 0.0
 
 
 def _cos_known(angle: Direction) -> Array:
@@ -105,7 +112,9 @@ def plain_numpy() -> ModuleType:
 
 def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile a kernel, to stand in the loop that calls it."""
-    return compiled_kernel(function, faster=FASTER, numpy=plain_numpy(), within=True)
+    return compiled_kernel(
+        function, faster=FASTER, numpy=plain_numpy(), instead=((friction_force, no_friction),), within=True
+    )
 
 
 def called(function: Callable[Parameters, Outcome], *, within: bool = True) -> Callable[Parameters, Outcome]:

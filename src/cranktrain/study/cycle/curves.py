@@ -10,7 +10,8 @@ from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape
 
 def fill_lines(structure: CycleStructure, imports: Imports) -> Iterator[str]:
     """Curves at all points of the panels: pistons first, then chambers, then forces, slaves' before their masters'."""
-    for thing in (Body, ChamberState, Conditions, Drive, Friction, Gravity, Wrench):
+    of_forces = (Conditions, Drive, Friction, Wrench) if structure.needs_forces else ()
+    for thing in (Body, ChamberState, Gravity, *of_forces):
         imports.name(thing)
     yield "n_points = cut.n_points"
     yield "all_cos, all_sin = work.cos, work.sin"
@@ -23,12 +24,11 @@ def fill_lines(structure: CycleStructure, imports: Imports) -> Iterator[str]:
     yield "work.torque[:, :n_points] = 0.0"
     if structure.needs_inertia:
         yield "work.running[:2, :n_points] = 0.0"
-    if any(one.has_slaves for one in structure.kinds):
+    if structure.needs_forces and any(one.has_slaves for one in structure.kinds):
         yield "work.on_rod[:, :, :n_points] = 0.0"
     # what slaves do to their masters' rods is a load there
-    order = sorted(enumerate(structure.kinds), key=lambda one: one[1].kind.dynamics.on_master is None)
-    for place, one in order:
-        yield from _forces(place, one, structure, imports)
+    for place, one in sorted(enumerate(structure.kinds), key=lambda one: not one[1].is_slave):
+        yield from _torques(place, one, structure, imports)
 
 
 def _pistons(place: int, one: KindSource, imports: Imports) -> Iterator[str]:
@@ -50,25 +50,29 @@ def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: Imports) 
     yield f"for member in range(f{place}.places.size):"
     yield f"    chamber = f{place}.places[member]"
     yield from indented(numbers, 1)
-    yield f"    gas = {made}"
     yield "    smallest, largest = room.smallest[design, chamber], room.largest[design, chamber]"
     yield "    start, ambient = room.start[design, chamber], room.ambient[design, chamber]"
     yield "    firing = room.firing[design, chamber]"
     yield "    one, other = room.partner[chamber, 0], room.partner[chamber, 1]"
     yield "    area, beside = room.area[design, chamber, 0], room.area[design, chamber, 1]"
     yield "    start += area * room.top[design, one] + beside * room.top[design, other]"
-    yield "    for panel in range(cut.n_panels):"
-    yield "        middle = cut.panels.start[panel] + 0.5 * cut.panels.width[panel]"
-    yield "        sense, turn = branch_at(middle, room, design, chamber, turning.cycle)"
+    yield f"    own = start, area, beside, smallest, largest, firing, {made}"
+    yield "    panel = 0"
+    yield "    while panel < cut.n_panels:"
     yield "        begin = cut.panels.first[panel]"
-    yield "        size = cut.nodes.size[cut.panels.size[panel]]"
-    yield "        end = begin + size"
-    yield "        of_one, of_other = work.slider[one, begin:end], work.slider[other, begin:end]"
-    yield "        angle, pressure = cut.panels.angle[begin:end], work.gas[begin:end]"
-    yield "        for point in range(size):"
-    yield "            volume = start - area * of_one[point] - beside * of_other[point]"
-    yield "            state = ChamberState(volume, smallest, largest, sense, turn, angle[point] - firing)"
-    yield f"            pressure[point] = pressure_{place}(state, gas)"
+    yield "        sense, turn, panel = branch_from(panel, cut, room, design, chamber, turning.cycle)"
+    yield "        end = cut.panels.first[panel] if panel < cut.n_panels else n_points"
+    yield "        where = work.slider[one, begin:end], work.slider[other, begin:end], cut.panels.angle[begin:end]"
+    yield "        pressure = work.gas[begin:end]"
+    # each branch for itself, of which the compiler leaves out what others have
+    yield "        if turn > 0.0 and sense > 0.0:"
+    yield f"            on_branch_{place}(1.0, 1.0, own, where, pressure)"
+    yield "        elif turn > 0.0:"
+    yield f"            on_branch_{place}(-1.0, 1.0, own, where, pressure)"
+    yield "        elif sense > 0.0:"
+    yield f"            on_branch_{place}(1.0, -1.0, own, where, pressure)"
+    yield "        else:"
+    yield f"            on_branch_{place}(-1.0, -1.0, own, where, pressure)"
     if "pressure" in asks:
         yield "    for point in range(n_points):"
         yield "        work.pressure[chamber, point] = work.gas[point]"
@@ -77,67 +81,87 @@ def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: Imports) 
     yield "    push_on(work.push[other], beside, work.gas, ambient, n_points)"
 
 
-def _forces(place: int, one: KindSource, structure: CycleStructure, imports: Imports) -> Iterator[str]:
-    """Forces of the mechanisms of one kind, and what they do to the shaft."""
-    dynamics, asks = one.kind.dynamics, structure.asks
+def branch_lines(structure: CycleStructure) -> Iterator[str]:
+    """Functions that find the pressure in a chamber at points of one branch."""
+    for place in range(len(structure.fluids)):
+        yield "@part"
+        yield f"def on_branch_{place}(sense, turn, own, where, pressure):"
+        yield "    start, area, beside, smallest, largest, firing, gas = own"
+        yield "    of_one, of_other, angle = where"
+        yield "    for point in range(pressure.size):"
+        yield "        volume = start - area * of_one[point] - beside * of_other[point]"
+        yield "        state = ChamberState(volume, smallest, largest, sense, turn, angle[point] - firing)"
+        yield f"        pressure[point] = pressure_{place}(state, gas)"
+        yield ""
+        yield ""
+
+
+def _torques(place: int, one: KindSource, structure: CycleStructure, imports: Imports) -> Iterator[str]:
+    """What the mechanisms of one kind do to the shaft, and the forces in them where these are asked."""
     yield f"for member in range(k{place}.mechanism.size):"
     yield from indented([*member_lines(place, one, imports), *body_lines(place, one)], 1)
-    is_slave = dynamics.on_master is not None
-    if one.has_pistons and structure.fluids:
-        yield f"    piston = k{place}.piston[member]"
-    if one.has_slaves or is_slave:
-        yield f"    master = k{place}.{'master' if is_slave else 'mechanism'}[member]"
-    joints = [place for place, reaction in enumerate(dynamics.reactions) if reaction.on in dynamics.moving]
-    if "joint" in asks:
-        for number in joints:
-            yield f"    j{number} = k{place}.joint[member, {number}]"
-    if one.has_pistons and structure.fluids:
-        yield "    push = work.push[piston]"
-    if one.has_slaves or is_slave:
-        yield "    rod_x, rod_y = work.on_rod[0, master], work.on_rod[1, master]"
-        yield "    rod_moment = work.on_rod[2, master]"
+    has_gas = one.has_pistons and bool(structure.fluids)
+    if has_gas:
+        yield f"    push = work.push[k{place}.piston[member]]"
     yield "    torque, gross = work.torque[0], work.torque[1]"
     if structure.needs_inertia:
         yield "    applied, inertia = work.running[0], work.running[1]"
-    if "joint" in asks:
-        for number in joints:
-            yield f"    x{number}, y{number} = work.joint_x[j{number}], work.joint_y[j{number}]"
-    has_rods = "rod" in asks and one.has_pistons and one.kind.has_rod
-    if has_rods:
-        yield f"    piston = k{place}.piston[member]"
-        yield "    along, across = work.rod[0, piston], work.rod[1, piston]"
-        yield "    at_piston, at_crank = work.rod[2, piston], work.rod[3, piston]"
+    if structure.needs_forces:
+        yield from indented(_rooms_of_forces(place, one, structure), 1)
     yield "    for point in range(n_points):"
     yield "        cos, sin = all_cos[point], all_sin[point]"
     yield f"        motion = motion_{place}({CRANK}, size)"
-    pushed = "-push[point]" if one.has_pistons and structure.fluids else "0.0"
-    yield f"        own = load_{place}(motion, size, {pushed})"
+    yield f"        own = load_{place}(motion, size, {'-push[point]' if has_gas else '0.0'})"
+    if structure.goes_by_work:
+        yield f"        carried = reduced(links_{place}(motion, size), bodies, own, gravity)"
+    if structure.needs_forces:
+        yield from indented(_forces(place, one, structure), 2)
+    if not (structure.needs_forces and one.is_slave):
+        by_work = "0.5 * carried.inertia.first * speed * speed - carried.load"
+        yield f"        driving = {'forces.driving_torque' if structure.needs_forces else by_work}"
+        yield "        torque[point] -= driving"
+        yield "        gross[point] += abs(driving)"
+    if structure.needs_inertia:
+        yield "        inertia[point] += carried.inertia.value"
+        yield "        applied[point] += carried.load"
+
+
+def _rooms_of_forces(place: int, one: KindSource, structure: CycleStructure) -> Iterator[str]:
+    """Under what the forces of one member are, where they are to stand, and what its slaves do to its rod."""
+    frictions = "Friction(0.0, 1.0, 0.0, 0.0), " * len(one.kind.dynamics.sliding)
+    yield f"conditions = Conditions(Drive(speed, 0.0), gravity, ({frictions}))"
+    if one.has_slaves or one.is_slave:
+        yield f"master = k{place}.{'master' if one.is_slave else 'mechanism'}[member]"
+        yield "rod_x, rod_y, rod_moment = work.on_rod[0, master], work.on_rod[1, master], work.on_rod[2, master]"
+    if "joint" in structure.asks:
+        for number in one.joints:
+            yield f"j{number} = k{place}.joint[member, {number}]"
+            yield f"x{number}, y{number} = work.joint_x[j{number}], work.joint_y[j{number}]"
+    if one.has_rods and "rod" in structure.asks:
+        yield f"piston = k{place}.piston[member]"
+        yield "along, across = work.rod[0, piston], work.rod[1, piston]"
+        yield "at_piston, at_crank = work.rod[2, piston], work.rod[3, piston]"
+
+
+def _forces(place: int, one: KindSource, structure: CycleStructure) -> Iterator[str]:
+    """Forces of one member at a point."""
     borne = "own"
     if one.has_slaves:
-        yield "        handed = Wrench("
-        yield "            own[1].x + rod_x[point], own[1].y + rod_y[point], own[1].moment + rod_moment[point]"
-        yield "        )"
+        yield "handed = Wrench(own[1].x + rod_x[point], own[1].y + rod_y[point], own[1].moment + rod_moment[point])"
         borne = "(own[0], handed, own[2])"
-    yield f"        forces = forces_{place}(motion, size, bodies, {borne}, conditions)"
-    if is_slave:
-        yield f"        on_rod = on_master_{place}(motion, size, forces.joints[{dynamics.joint('knuckle_pin')}])"
-        yield "        rod_x[point] += on_rod.x"
-        yield "        rod_y[point] += on_rod.y"
-        yield "        rod_moment[point] += on_rod.moment"
-    else:
-        yield "        torque[point] -= forces.driving_torque"
-        yield "        gross[point] += abs(forces.driving_torque)"
-    if structure.needs_inertia:
-        yield f"        carried = reduced(links_{place}(motion, size), bodies, own, gravity)"
-        yield "        inertia[point] += carried.inertia.value"
-        driving = "" if is_slave else " - forces.driving_torque"
-        yield f"        applied[point] += 0.5 * carried.inertia.first * speed * speed{driving}"
-    if "joint" in asks:
-        for number in joints:
-            yield f"        x{number}[point] = forces.joints[{number}].x"
-            yield f"        y{number}[point] = forces.joints[{number}].y"
-    if has_rods:
-        yield from indented(_rod(one), 2)
+    yield f"forces = forces_{place}(motion, size, bodies, {borne}, conditions)"
+    if one.is_slave:
+        knuckle = one.kind.dynamics.joint("knuckle_pin")
+        yield f"on_rod = on_master_{place}(motion, size, forces.joints[{knuckle}])"
+        yield "rod_x[point] += on_rod.x"
+        yield "rod_y[point] += on_rod.y"
+        yield "rod_moment[point] += on_rod.moment"
+    if "joint" in structure.asks:
+        for number in one.joints:
+            yield f"x{number}[point] = forces.joints[{number}].x"
+            yield f"y{number}[point] = forces.joints[{number}].y"
+    if one.has_rods and "rod" in structure.asks:
+        yield from _rod(one)
 
 
 def _rod(one: KindSource) -> Iterator[str]:

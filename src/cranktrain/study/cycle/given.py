@@ -22,6 +22,8 @@ class OfKind(NamedTuple):
         Which of the machine's joints each reaction is; −1 for a share of its master's.
     phase : Array, shape (design, member)
         [rad]
+    ahead : Array, shape (design, member, 2)
+        Its cosine and its sine.
     geometry : Array, shape (design, member, number)
         As the kind's kernels take them, in their order.
     bodies : Array, shape (design, member, 4 · link)
@@ -34,6 +36,7 @@ class OfKind(NamedTuple):
     master: Places
     joint: Places
     phase: Array
+    ahead: Array
     geometry: Array
     bodies: Array
     gravity: Array

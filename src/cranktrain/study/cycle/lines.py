@@ -56,20 +56,18 @@ def member_lines(place: int, one: KindSource, imports: Imports) -> list[str]:
     return [
         *lines,
         f"size = {made}",
-        f"ahead = Direction(np.cos(k{place}.phase[design, member]), np.sin(k{place}.phase[design, member]))",
+        f"ahead = Direction(k{place}.ahead[design, member, 0], k{place}.ahead[design, member, 1])",
     ]
 
 
 def body_lines(place: int, one: KindSource) -> list[str]:
-    """Lines that take the bodies of a member, its gravity and its conditions out of their arrays."""
+    """Lines that take the bodies of a member and its gravity out of their arrays."""
     lines = [f"b{number} = k{place}.bodies[design, member, {number}]" for number in range(4 * one.n_links)]
     each = (f"Body({', '.join(f'b{4 * link + number}' for number in range(4))})" for link in range(one.n_links))
-    frictions = "Friction(0.0, 1.0, 0.0, 0.0), " * len(one.kind.dynamics.sliding)
     return [
         *lines,
         f"bodies = ({', '.join(each)},)",
         f"gravity = Gravity(k{place}.gravity[design, member, 0], k{place}.gravity[design, member, 1])",
-        f"conditions = Conditions(Drive(speed, 0.0), gravity, ({frictions}))",
     ]
 
 

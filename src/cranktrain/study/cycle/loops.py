@@ -4,11 +4,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.given import ChamberNumbers, EvennessAsked, Found, TurningDesigns, Work
+from cranktrain.study.cycle.given import EvennessAsked, Found, TurningDesigns, Work
 from cranktrain.study.cycle.nodes import PanelNodes
 from cranktrain.study.cycle.panels import CutCycle, Panels
 from cranktrain.study.cycle.running import exact_flywheel, fluctuation_of, integral_of, mean_of, mertsalov_flywheel
-from cranktrain.study.cycle.tops import Tops, highest, largest_size, mean_size, unresolved
+from cranktrain.study.cycle.tops import Tops, extremes, greatest, largest_size, mean_size, unresolved
 
 FINEST = 8.0
 """By what panels are made narrower at most until they show all curves."""
@@ -24,37 +24,30 @@ _ALIKE = 1e-9
 
 
 def own_edges(
-    design: int, cycle: float, room: ChamberNumbers, is_first: NDArray[np.bool_], edge: Array, pole: Array
+    least: Array, greatest: Array, cycle: float, is_first: NDArray[np.bool_], edge: Array, pole: Array
 ) -> tuple[int, int]:
     """List φ of the dead centres of those chambers that others repeat, and of their poles; give how many of each."""
     n_edges, n_poles, n_turns = 0, 0, int(np.floor(cycle / _TURN + 0.5))
-    for chamber in range(room.least.shape[1]):
+    for chamber in range(least.size):
         if is_first[chamber]:
-            pole[n_poles] = room.least[design, chamber]
+            pole[n_poles] = least[chamber]
             n_poles += 1
             for turn in range(n_turns):
-                edge[n_edges] = room.least[design, chamber] + turn * _TURN
-                edge[n_edges + 1] = room.greatest[design, chamber] + turn * _TURN
+                edge[n_edges] = least[chamber] + turn * _TURN
+                edge[n_edges + 1] = greatest[chamber] + turn * _TURN
                 n_edges += 2
     return n_edges, n_poles
 
 
 def directions(cut: CutCycle, cos: Array, sin: Array) -> None:
-    """Find cosine and sine of φ at all points of the panels.
-
-    From the middle of each panel, by the series of cosine and sine: panels are no wider than these reach.
-    """
-    for panel in range(cut.n_panels):
-        first, row, half = cut.panels.first[panel], cut.panels.size[panel], 0.5 * cut.panels.width[panel]
-        middle = cut.panels.start[panel] + half
-        cos_middle, sin_middle = np.cos(middle), np.sin(middle)
-        size = cut.nodes.size[row]
-        place, own_cos, own_sin = cut.nodes.place[row], cos[first : first + size], sin[first : first + size]
-        for node in range(size):
-            x = half * place[node]
-            of_x, share = _cosine(x * x), x * _sine_share(x * x)
-            own_cos[node] = cos_middle * of_x - sin_middle * share
-            own_sin[node] = sin_middle * of_x + cos_middle * share
+    """Find cosine and sine of φ at all points of the panels, from the nearest half turn, whose sign both then have."""
+    angle = cut.panels.angle
+    for point in range(cut.n_points):
+        half_turns = np.rint(angle[point] * (1 / np.pi))
+        sign = 1.0 - 2.0 * abs(half_turns - 2.0 * np.rint(0.5 * half_turns))
+        x = angle[point] - half_turns * np.pi
+        cos[point] = sign * _cosine(x * x)
+        sin[point] = sign * x * _sine_share(x * x)
 
 
 def push_on(push: Array, area: float, pressure: Array, ambient: float, n_points: int) -> None:
@@ -76,12 +69,9 @@ def shows(curves: Array, cut: CutCycle) -> bool:
 
 def tell_torque(design: int, cut: CutCycle, work: Work, found: Array) -> None:
     """Find the largest and the smallest torque of a design; `found` is that of `Found`, as in all that follow."""
-    found[design, 1], found[design, 0] = highest(work.torque[0], 1.0, cut, work.tops)
-    found[design, 3], found[design, 2] = highest(work.torque[0], -1.0, cut, work.tops)
-    gross = 0.0
-    for point in range(cut.n_points):
-        gross = max(gross, work.torque[1, point])
-    found[design, 4] = gross
+    own = found[design]
+    own[1], own[0], own[3], own[2] = extremes(work.torque[0], cut, work.tops)
+    own[4] = greatest(work.torque[1], cut.n_points)
 
 
 def tell_joints(design: int, cut: CutCycle, work: Work, found: Array) -> None:
@@ -95,7 +85,7 @@ def tell_chambers(design: int, cut: CutCycle, work: Work, found: Array) -> None:
     """Find the largest pressure in every chamber."""
     for chamber in range(work.pressure.shape[0]):
         own = found[design, chamber]
-        own[1], own[0] = highest(work.pressure[chamber], 1.0, cut, work.tops)
+        own[1], own[0], _down, _least = extremes(work.pressure[chamber], cut, work.tops)
 
 
 def tell_rods(design: int, cut: CutCycle, work: Work, found: Array) -> None:
@@ -164,8 +154,7 @@ def tell_vectors(
 
 def _either_way(curve: Array, cut: CutCycle, tops: Tops) -> tuple[float, float]:
     """Largest size of a curve, and where that is."""
-    up, most = highest(curve, 1.0, cut, tops)
-    down, least = highest(curve, -1.0, cut, tops)
+    up, most, down, least = extremes(curve, cut, tops)
     alike = _ALIKE * max(most, -least)
     if most > -least + alike:
         return most, up
@@ -181,7 +170,8 @@ def tell_running(
     tops, speed = work.tops, turning.speed[design]
     stored, inertia, square = work.running[2], work.running[1], work.running[3]
     integral_of(work.running[0], mean_of(work.running[0], cut), cut, stored)
-    excess = highest(stored, 1.0, cut, tops)[1] - highest(stored, -1.0, cut, tops)[1]
+    _up, most, _down, least = extremes(stored, cut, tops)
+    excess = most - least
     found.work[design] = excess
     for flywheel in range(wanted.inertia.shape[1]):
         added, own = wanted.inertia[design, flywheel], found.running[design]
@@ -212,30 +202,24 @@ def tell_given(
 
 
 def _cosine(square: float) -> float:
-    """Cosine by the square of an angle up to 1.6 rad, to rounding: its series to the 22nd power."""
-    found = 1.0 - square * (1 / 462)
-    found = 1.0 - square * (1 / 380) * found
-    found = 1.0 - square * (1 / 306) * found
-    found = 1.0 - square * (1 / 240) * found
-    found = 1.0 - square * (1 / 182) * found
-    found = 1.0 - square * (1 / 132) * found
-    found = 1.0 - square * (1 / 90) * found
-    found = 1.0 - square * (1 / 56) * found
-    found = 1.0 - square * (1 / 30) * found
-    found = 1.0 - square * (1 / 12) * found
-    return 1.0 - square * (1 / 2) * found
+    """Cosine by the square of an angle up to a quarter turn; coefficients of least error, by `mpmath.chebyfit`."""
+    found = -1.146467460833987e-11 + square * 4.627485616610008e-14
+    found = 2.0876630388606333e-09 + square * found
+    found = -2.7557317759930594e-07 + square * found
+    found = 2.4801587292388148e-05 + square * found
+    found = -0.0013888888888860494 + square * found
+    found = 0.04166666666666633 + square * found
+    found = -0.5 + square * found
+    return 1.0 + square * found
 
 
 def _sine_share(square: float) -> float:
-    """Sine of an angle, over it, by its square, likewise: to the 23rd power."""
-    found = 1.0 - square * (1 / 506)
-    found = 1.0 - square * (1 / 420) * found
-    found = 1.0 - square * (1 / 342) * found
-    found = 1.0 - square * (1 / 272) * found
-    found = 1.0 - square * (1 / 210) * found
-    found = 1.0 - square * (1 / 156) * found
-    found = 1.0 - square * (1 / 110) * found
-    found = 1.0 - square * (1 / 72) * found
-    found = 1.0 - square * (1 / 42) * found
-    found = 1.0 - square * (1 / 20) * found
-    return 1.0 - square * (1 / 6) * found
+    """Sine of an angle, over it, by its square, likewise."""
+    found = -7.643962232442654e-13 + square * 2.731344277439919e-15
+    found = 1.6058977059718268e-10 + square * found
+    found = -2.5052107613095433e-08 + square * found
+    found = 2.7557319219132584e-06 + square * found
+    found = -0.0001984126984125486 + square * found
+    found = 0.008333333333333316 + square * found
+    found = -0.16666666666666666 + square * found
+    return 1.0 + square * found

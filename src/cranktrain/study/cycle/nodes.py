@@ -10,9 +10,12 @@ from cranktrain.motion import Array
 from cranktrain.numerics.products import product
 
 SIZES = (8, 12, 18, 26)
-"""Points of a panel, by how wide it is."""
+"""Points of a panel, by how wide it is; even, as their series are found by values on both sides of its middle."""
 SHARES = (0.05, 0.2, 0.5, np.inf)
 """Up to which part of the widest that shows a curve."""
+
+_AT_ONCE = 4
+"""Numbers that a processor adds and multiplies at once."""
 
 
 class PanelNodes(NamedTuple):
@@ -27,8 +30,11 @@ class PanelNodes(NamedTuple):
         x, rising, and weights of the integral over [−1, 1].
     integral : Array, shape (size, point, point)
         From values to their integrals from −1 to each point.
-    series : Array, shape (size, point, point)
-        From values to the coefficients of Chebyshev's polynomials T₀, T₁, ….
+    even, odd : Array, shape (size, point, order)
+        From sums and differences of values at −x and x, from the ends inward, to the coefficients of Chebyshev's
+        polynomials T₀, T₂, … and T₁, T₃, …, so many as a processor finds at once.
+    last : Array, shape (size, 2, point)
+        From values to the coefficients of the last two polynomials.
     """
 
     size: NDArray[np.intp]
@@ -36,7 +42,9 @@ class PanelNodes(NamedTuple):
     place: Array
     weight: Array
     integral: Array
-    series: Array
+    even: Array
+    odd: Array
+    last: Array
 
 
 @cache
@@ -54,7 +62,9 @@ def nodes() -> PanelNodes:
     """
     n_sizes, most = len(SIZES), max(SIZES)
     place, weight = np.zeros((2, n_sizes, most))
-    integral, series = np.zeros((2, n_sizes, most, most))
+    integral = np.zeros((n_sizes, most, most))
+    even, odd = np.zeros((2, n_sizes, most // 2, -(-most // (2 * _AT_ONCE)) * _AT_ONCE))
+    last = np.zeros((n_sizes, 2, most))
     for row, size in enumerate(SIZES):
         angle = np.arange(size)[::-1] * (np.pi / (size - 1))
         x = np.cos(angle)
@@ -66,8 +76,11 @@ def nodes() -> PanelNodes:
         place[row, :size] = x
         weight[row, :size] = to_integral[-1]
         integral[row, :size, :size] = to_integral
-        series[row, :size, :size] = to_series
-    return PanelNodes(np.array(SIZES, dtype=np.intp), np.array(SHARES), place, weight, integral, series)
+        half = size // 2
+        even[row, :half, :half] = to_series[::2, :half].T
+        odd[row, :half, :half] = to_series[1::2, :half].T
+        last[row, :, :size] = to_series[-2:]
+    return PanelNodes(np.array(SIZES, dtype=np.intp), np.array(SHARES), place, weight, integral, even, odd, last)
 
 
 def _values_of_orders(x: Array, degree: int) -> Array:

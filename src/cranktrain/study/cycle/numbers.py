@@ -15,13 +15,17 @@ from cranktrain.questions.forces.carriers import Carriers
 from cranktrain.questions.forces.solved_cycle import Member
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.study.cycle.given import ChamberNumbers, Found, OfFluid, OfKind, Repeats, Work
-from cranktrain.study.cycle.nodes import SIZES
+from cranktrain.study.cycle.nodes import SIZES, nodes
 from cranktrain.study.cycle.panels import MOST_PANELS
 from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape, shape_of
 from cranktrain.study.cycle.tops import room_for_tops
 
 MOST_POINTS = 2048
 """Points of a design that are kept."""
+_APART = 200
+"""By how many points more than whole pages hold rows begin apart: as many as a cycle has, about."""
+_N_OF_ALL = 10
+"""Rows of the machine as a whole: cosine and sine, gas, squares, torque, how it runs."""
 
 
 class NumbersOfKinds(NamedTuple):
@@ -62,12 +66,14 @@ def _numbers(
         if one.batch == place:
             joint[one.member, one.place] = row
     shape = n_designs, index.size
+    phase = _side_by_side([batch.members.phase], shape)[..., 0]
     return OfKind(
         mechanism=index,
         piston=carriers.piston[index],
         master=carriers.master[index],
         joint=joint,
-        phase=_side_by_side([batch.members.phase], shape)[..., 0],
+        phase=phase,
+        ahead=np.stack([np.cos(phase), np.sin(phase)], axis=-1),
         geometry=_side_by_side(leaves(batch.members.geometry), shape),
         bodies=_side_by_side([part for body in made.bodies for part in body], shape),
         gravity=_side_by_side(list(made.gravity), shape),
@@ -167,23 +173,39 @@ def _kinks(gas: GasInChambers) -> tuple[Array, Array, Array]:
     return volume, sense, turn
 
 
+class _Rows:
+    """Rows for curves, one behind another in one block.
+
+    Each begins elsewhere in a page of memory than those beside it: what begins alike shares few places near the
+    processor, where a loop over many curves finds them again.
+    """
+
+    def __init__(self, n_rows: int) -> None:
+        self._free = np.zeros((n_rows, MOST_PANELS * max(SIZES) + _APART))
+
+    def taken(self, *shape: int) -> Array:
+        """Take rows that are free, shape (…, point)."""
+        n_rows = int(np.prod(shape))
+        found, self._free = self._free[:n_rows], self._free[n_rows:]
+        return found.reshape((*shape, found.shape[1]))
+
+
 def room_to_work(
     structure: CycleStructure, room: ChamberNumbers, n_mechanisms: int, n_pistons: int, n_joints: int
 ) -> Work:
     """Room for the curves of one design."""
-    n_points, n_chambers = MOST_PANELS * max(SIZES), len(room.partner)
-    asks = structure.asks
+    n_chambers, asks = len(room.partner), structure.asks
     n_pressures = n_chambers if "pressure" in asks else 0
     n_forces = n_joints if "joint" in asks else 0
     n_rods = n_pistons if "rod" in asks else 0
-    cos, sin = np.zeros((2, n_points))
+    rows = _Rows(_N_OF_ALL + 2 * n_pistons + 3 * n_mechanisms + n_pressures + 2 * n_forces + 4 * n_rods)
     return Work(
-        cos=cos,
-        sin=sin,
-        slider=np.zeros((n_pistons, n_points)),
-        push=np.zeros((n_pistons, n_points)),
-        gas=np.zeros(n_points),
-        on_rod=np.zeros((3, n_mechanisms, n_points)),
+        cos=rows.taken(),
+        sin=rows.taken(),
+        slider=rows.taken(n_pistons),
+        push=rows.taken(n_pistons),
+        gas=rows.taken(),
+        on_rod=rows.taken(3, n_mechanisms),
         repeats=Repeats(
             mechanism=np.zeros(n_mechanisms, dtype=np.intp),
             piston=np.zeros(n_pistons, dtype=np.intp),
@@ -193,13 +215,13 @@ def room_to_work(
         ),
         pole=np.zeros(n_chambers),
         away=np.zeros(n_chambers),
-        torque=np.zeros((2, n_points)),
-        running=np.zeros((4, n_points)),
-        pressure=np.zeros((n_pressures, n_points)),
-        joint_x=np.zeros((n_forces, n_points)),
-        joint_y=np.zeros((n_forces, n_points)),
-        rod=np.zeros((4, n_rods, n_points)),
-        tops=room_for_tops(n_points, max(SIZES)),
+        torque=rows.taken(2),
+        running=rows.taken(4),
+        pressure=rows.taken(n_pressures),
+        joint_x=rows.taken(n_forces),
+        joint_y=rows.taken(n_forces),
+        rod=rows.taken(4, n_rods),
+        tops=room_for_tops(rows.taken(), nodes()),
         speeds=np.zeros(5),
     )
 

@@ -107,7 +107,7 @@ def cut_cycle(
         By what panels are narrower than usual.
     nodes : PanelNodes
     """
-    count, n_points = 0, 0
+    count, n_points, share = 0, 0, 1.0 / finer
     for place in range(max(n_edges, 1)):
         start = panels.edge[place] if n_edges > 0 else 0.0
         end = start + length
@@ -116,10 +116,10 @@ def cut_cycle(
         while end - start > 0:
             width = end - start
             # from the start as wide as the poles allow, which lie where other panels begin
-            widest = _widest(start, width, poles, away, length, finer)
+            widest = _widest(start, width, poles, away, length, share)
             while width > widest * (1 + _ALIKE):
                 width = max(widest, width / 2)
-                widest = _widest(start, width, poles, away, length, finer)
+                widest = _widest(start, width, poles, away, length, share)
             if end - start - width <= _ALIKE:
                 width = end - start
             if count == len(panels.start):
@@ -129,9 +129,11 @@ def cut_cycle(
                 size += 1
             panels.start[count], panels.width[count] = start, width
             panels.size[count], panels.first[count] = size, n_points
-            for node in range(nodes.size[size]):
-                panels.angle[n_points] = start + width * (0.5 + 0.5 * nodes.place[size, node])
-                n_points += 1
+            n_own, middle, half = nodes.size[size], start + 0.5 * width, 0.5 * width
+            x, angle = nodes.place[size], panels.angle[n_points : n_points + n_own]
+            for node in range(n_own):
+                angle[node] = middle + half * x[node]
+            n_points += n_own
             count += 1
             if width == end - start:
                 break
@@ -139,14 +141,13 @@ def cut_cycle(
     return CutCycle(panels, nodes, count, n_points, length, zero)
 
 
-def _widest(start: float, width: float, poles: Array, away: Array, cycle: float, finer: float) -> float:
+def _widest(start: float, width: float, poles: Array, away: Array, cycle: float, share: float) -> float:
     """How wide a panel may be that begins somewhere."""
-    widest = _WIDEST
-    middle, half = start + width / 2, width / 2
+    middle, half, nearest = start + width / 2, width / 2, np.inf
     for place in range(len(poles)):
         # from the panel's nearest point, round the cycle either way
         apart = middle - poles[place]
-        apart = abs(apart - cycle * np.floor(apart / cycle + 0.5))
+        apart = abs(apart - cycle * np.floor(apart * (1.0 / cycle) + 0.5))
         beside = max(apart - half, 0.0)
-        widest = min(widest, _REACH * np.sqrt(beside * beside + away[place] * away[place]))
-    return widest / finer
+        nearest = min(nearest, beside * beside + away[place] * away[place])
+    return min(_WIDEST, _REACH * np.sqrt(nearest)) * share

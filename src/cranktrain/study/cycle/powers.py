@@ -21,8 +21,8 @@ def power(base: float, exponent: float) -> float:
 
     Notes
     -----
-    x = 2ᵏm with m in [√½, √2); ln m = 2 artanh s by its series in s = (m − 1)/(m + 1), and eᵠ by its own, after another
-    power of two is taken out. To 2e-15 for powers up to 10⁷.
+    x = 2ᵏm with m in [√½, √2); ln m = 2 artanh s with s = (m − 1)/(m + 1), and eᵠ after another power of two is taken
+    out, both by polynomials. To 2e-15 for powers up to 10⁷.
     """
     bits = np.float64(base).view(np.int64)
     of_two = (bits - _ROOT_OF_HALF) >> _BIT
@@ -38,31 +38,27 @@ def power(base: float, exponent: float) -> float:
 
 
 def _artanh(square: float) -> float:
-    """2(artanh s − s)/s³ by s² up to 0.03."""
-    found = 2 / 21 + square * (2 / 23)
-    found = 2 / 19 + square * found
-    found = 2 / 17 + square * found
-    found = 2 / 15 + square * found
-    found = 2 / 13 + square * found
-    found = 2 / 11 + square * found
-    found = 2 / 9 + square * found
-    found = 2 / 7 + square * found
-    found = 2 / 5 + square * found
-    return 2 / 3 + square * found
+    """2(artanh s − s)/s³ by s² up to 0.03; coefficients, as below, of least error, by `mpmath.chebyfit`.
+
+    Pairs of terms, and pairs of these, stand by themselves: a processor finds them at once.
+    """
+    fourth = square * square
+    low = (0.666666666666667 + square * 0.3999999999989938) + fourth * (
+        0.28571428626031065 + square * 0.2222221112572281
+    )
+    high = (0.18182889786191042 + square * 0.15331699633543858) + fourth * 0.14616721179861816
+    return low + fourth * fourth * high
 
 
 def _exponential(power: float) -> float:
     """Exponential of up to ½ ln 2, either way."""
-    found = 1.0 + power * (1 / 13)
-    found = 1.0 + power * (1 / 12) * found
-    found = 1.0 + power * (1 / 11) * found
-    found = 1.0 + power * (1 / 10) * found
-    found = 1.0 + power * (1 / 9) * found
-    found = 1.0 + power * (1 / 8) * found
-    found = 1.0 + power * (1 / 7) * found
-    found = 1.0 + power * (1 / 6) * found
-    found = 1.0 + power * (1 / 5) * found
-    found = 1.0 + power * (1 / 4) * found
-    found = 1.0 + power * (1 / 3) * found
-    found = 1.0 + power * (1 / 2) * found
-    return 1.0 + power * found
+    square = power * power
+    fourth = square * square
+    low = (0.5000000000000001 + power * 0.16666666666666669) + square * (
+        0.04166666666662413 + power * 0.008333333333330062
+    )
+    middle = (0.0013888888917213717 + power * 0.00019841269863053618) + square * (
+        2.4801521295954376e-05 + power * 2.7557268459997064e-06
+    )
+    high = 2.7620088445409746e-07 + power * 2.510038549551032e-08
+    return 1.0 + (power + square * (low + fourth * (middle + fourth * high)))

@@ -4,7 +4,7 @@ import numpy as np
 
 from cranktrain.motion import Array
 from cranktrain.study.cycle.panels import CutCycle
-from cranktrain.study.cycle.tops import Tops, highest
+from cranktrain.study.cycle.tops import Tops, extremes, highest
 
 _STEPS = 40
 _NEARLY = 1e-7
@@ -115,8 +115,7 @@ def fluctuation_of(
     least = speeds_at(work, inertia, added, energy, cut.n_points, square)
     if not least > (_LEAST * wanted) * (_LEAST * wanted):
         return False
-    found[1], most = highest(square, 1.0, cut, tops)
-    found[3], less = highest(square, -1.0, cut, tops)
+    found[1], most, found[3], less = extremes(square, cut, tops)
     found[0], found[2] = np.sqrt(most), np.sqrt(less)
     for point in range(cut.n_points):
         square[point] = np.sqrt(square[point])

@@ -7,8 +7,8 @@ stands in the source.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from cranktrain.study.cycle.chambers import branch_at, nearer, toward_end
-from cranktrain.study.cycle.curves import fill_lines
+from cranktrain.study.cycle.chambers import branch_from, nearer, toward_end
+from cranktrain.study.cycle.curves import branch_lines, fill_lines
 from cranktrain.study.cycle.lines import CRANK, Imports, arguments, indented, member_lines
 from cranktrain.study.cycle.loops import (
     directions,
@@ -41,6 +41,7 @@ def written_cycle(structure: CycleStructure) -> WrittenLoops:
     body = [
         *_kernels(called, (*_PARTS, *_tellers(structure)), imports),
         *_volume(structure, imports),
+        *branch_lines(structure),
         *_cycle(structure, imports),
     ]
     return _put_together(imports, body, called)
@@ -61,7 +62,7 @@ def _put_together(imports: Imports, body: Sequence[str], called: Mapping[str, Ca
         "import numpy as np",
         "",
         *imports.lines(),
-        "from cranktrain.study.cycle.chambers import SETTLED, STEPS, TURN",
+        "from cranktrain.study.cycle.chambers import NEARLY, SETTLED, STEPS, TURN",
         "from cranktrain.study.cycle.compiling import Direction, called, kernel, loop, part",
         "from cranktrain.study.cycle.loops import FINEST",
         "",
@@ -69,7 +70,7 @@ def _put_together(imports: Imports, body: Sequence[str], called: Mapping[str, Ca
     return WrittenLoops("\n".join([*head, *body, ""]), tuple(called.values()))
 
 
-_PARTS = (branch_at, nearer, cut_cycle, directions, first_chambers, own_edges, push_on, shows, sorted_edges)
+_PARTS = (branch_from, nearer, cut_cycle, directions, first_chambers, own_edges, push_on, shows, sorted_edges)
 """What is the same for all machines, whatever is asked."""
 
 
@@ -99,10 +100,10 @@ def _volume(structure: CycleStructure, imports: Imports) -> Iterator[str]:
         yield f"    for member in range(k{place}.mechanism.size):"
         yield "        for partner in range(2):"
         yield f"            piston = k{place}.piston[member]"
-        yield "            if piston >= 0 and room.partner[chamber, partner] == piston:"
+        yield "            area = room.area[design, chamber, partner]"
+        yield "            if area != 0.0 and room.partner[chamber, partner] == piston:"
         yield from indented(member_lines(place, one, imports), 4)
         yield f"                motion = motion_{place}({CRANK}, size)"
-        yield "                area = room.area[design, chamber, partner]"
         yield "                value += area * (room.top[design, piston] - motion.slider.value)"
         yield "                first -= area * motion.slider.first"
         yield "                second -= area * motion.slider.second"
@@ -202,7 +203,8 @@ _CYCLE = """\
         first_chambers(n_repeats, work.repeats)
         finer = 1.0
         while finer <= FINEST:
-            n_edges, n_poles = own_edges(design, turning.cycle, room, work.repeats.is_first, panels.edge, work.pole)
+            least, greatest = room.least[design], room.greatest[design]
+            n_edges, n_poles = own_edges(least, greatest, turning.cycle, work.repeats.is_first, panels.edge, work.pole)
 {gas}\
             n_edges = sorted_edges(panels.edge, n_edges, turning.cycle / n_repeats)
             poles, away = work.pole[:n_poles], work.away[:n_poles]
@@ -220,8 +222,8 @@ _GAS = """\
             for chamber in range(room.partner.shape[0]):
                 if not work.repeats.is_first[chamber]:
                     continue
-                least = room.least[design, chamber]
-                smallest, _slope, bend = volume_at(design, chamber, least, {given}, room)
+                top = least[chamber]
+                smallest, _slope, bend = volume_at(design, chamber, top, {given}, room)
                 work.away[place] = np.sqrt(2.0 * smallest / bend)
                 place += 1
                 for kink in range(room.sense.size):
@@ -229,12 +231,12 @@ _GAS = """\
                     if volume > smallest:
                         away = min(np.sqrt(2.0 * (volume - smallest) / bend), 0.75 * np.pi)
                         for _step in range(STEPS):
-                            now, rate, bending = volume_at(design, chamber, least + sense * away, {given}, room)
+                            now, rate, bending = volume_at(design, chamber, top + sense * away, {given}, room)
                             before = away
                             away = nearer(away, sense, now - volume, rate, bending)
-                            if abs(away - before) < SETTLED:
+                            if abs(away - before) < NEARLY:
                                 break
                         other = 0.0 if room.turn[kink] > 0.0 else TURN
-                        panels.edge[n_edges] = least + other + sense * away
+                        panels.edge[n_edges] = top + other + sense * away
                         n_edges += 1
 """

@@ -51,6 +51,22 @@ class KindSource:
     has_slaves: bool
     has_pistons: bool
 
+    @property
+    def is_slave(self) -> bool:
+        """Whether it hangs on the rods of others."""
+        return self.kind.dynamics.on_master is not None
+
+    @property
+    def has_rods(self) -> bool:
+        """Whether forces of its pistons and their rods are told."""
+        return self.has_pistons and self.kind.has_rod
+
+    @property
+    def joints(self) -> tuple[int, ...]:
+        """Which of its reactions are of its own joints, and no shares of its master's."""
+        dynamics = self.kind.dynamics
+        return tuple(place for place, reaction in enumerate(dynamics.reactions) if reaction.on in dynamics.moving)
+
 
 @dataclass(frozen=True)
 class CycleStructure:
@@ -75,6 +91,16 @@ class CycleStructure:
         return bool(self.asks & OF_EVENNESS)
 
     @property
+    def needs_forces(self) -> bool:
+        """Whether forces in the mechanisms are asked."""
+        return not self.asks.isdisjoint({"joint", "rod"})
+
+    @property
+    def goes_by_work(self) -> bool:
+        """Whether work of loads and inertia is found: the torque by it, where no forces are that give it too."""
+        return self.needs_inertia or not self.needs_forces
+
+    @property
     def is_of_shaft(self) -> bool:
         """Whether all that is asked is of the shaft, and nothing of any cylinder or joint."""
         return self.asks <= _OF_SHAFT
@@ -88,12 +114,14 @@ def kernels(structure: CycleStructure) -> dict[str, Callable[..., Any]]:
         found |= {
             f"motion_{place}": one.kind.motion,
             f"load_{place}": dynamics.load,
-            f"forces_{place}": dynamics.forces,
-            f"links_{place}": dynamics.links,
         }
-        if dynamics.on_master is not None:
-            found[f"on_master_{place}"] = dynamics.on_master
-    if structure.needs_inertia:
+        if structure.goes_by_work:
+            found[f"links_{place}"] = dynamics.links
+        if structure.needs_forces:
+            found[f"forces_{place}"] = dynamics.forces
+            if dynamics.on_master is not None:
+                found[f"on_master_{place}"] = dynamics.on_master
+    if structure.goes_by_work:
         found["reduced"] = reduced_of
     if "rod" in structure.asks:
         found |= {"shares_of": weighed_ends, "along_rod": rod_forces, "inertia_of": inertia_force}

@@ -29,7 +29,7 @@ class Cut:
         n_edges = sorted_edges(self.panels.edge, len(edges), cycle)
         self.cut = cut_cycle(self.panels, n_edges, cycle, zero, np.asarray(poles), np.asarray(away), finer, NODES)
         self.count, self.n_points = self.cut.n_panels, self.cut.n_points
-        self.tops = room_for_tops(len(self.panels.angle), int(NODES.size[-1]))
+        self.tops = room_for_tops(np.zeros(len(self.panels.angle)), NODES)
 
     @property
     def angle(self):

@@ -23,6 +23,7 @@ class Engine:
             master=np.array(masters if masters else [-1] * n),
             joint=np.zeros((n, 0), dtype=np.intp),
             phase=TURN * np.array([phases]),
+            ahead=np.stack([np.cos(TURN * np.array([phases])), np.sin(TURN * np.array([phases]))], axis=-1),
             geometry=np.tile([0.04, 0.13, 0.0], (1, n, 1)),
             bodies=np.tile([0.0, 0.0, 0.0, 0.0, 0.6, 0.04, 0.0, 0.003], (1, n, 1)),
             gravity=np.zeros((1, n, 2)),
