@@ -7,6 +7,9 @@ compiled code all that is thrown away. A function ten calls deep is so optimised
 from functools import cache
 from typing import Any, NamedTuple
 
+_OF_A_LIBRARY = ("add_linking_library", "finalize", "get_pointer_to_function", "enable_object_caching")
+"""What Numba's library of compiled code does, which is done here otherwise."""
+
 
 class HowCompiled(NamedTuple):
     """Options for Numba of what other compiled code alone calls, and of what Python may call."""
@@ -17,11 +20,16 @@ class HowCompiled(NamedTuple):
 
 @cache
 def how_compiled() -> HowCompiled:
-    """Options for Numba under which parts are put together in the whole that calls them, and nowhere else."""
+    """Options for Numba under which parts are put together in the whole that calls them, and nowhere else.
+
+    There are none where Numba has not what that takes: then all is compiled as it does by itself, in more time.
+    """
     from numba.core import codegen, compiler
 
-    library_class: Any = codegen.JITCodeLibrary
-    compiler_class: Any = compiler.Compiler
+    library_class: Any = getattr(codegen, "JITCodeLibrary", None)
+    compiler_class: Any = getattr(compiler, "Compiler", None)
+    if compiler_class is None or not all(hasattr(library_class, name) for name in _OF_A_LIBRARY):
+        return HowCompiled({}, {})
 
     class Part(library_class):
         """A function alone, without what it calls, neither optimised nor made machine code of."""

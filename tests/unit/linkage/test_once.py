@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from cranktrain.linkage.once import how_compiled
 from cranktrain.transient.compiling import quick
 
 pytest.importorskip("numba")
@@ -42,3 +43,11 @@ def test_one_part_may_be_in_several():
     whole = quick(inner)
     assert whole(3.0) == inner(3.0)
     assert quick(outer)(3.0) == outer(3.0)
+
+
+def test_another_numba_compiles_as_it_does_by_itself(monkeypatch):
+    """One that has no such library of compiled code."""
+    from numba.core import codegen
+
+    monkeypatch.delattr(codegen, "JITCodeLibrary")
+    assert how_compiled.__wrapped__() == ({}, {})
