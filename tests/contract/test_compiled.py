@@ -69,6 +69,7 @@ NO_KERNELS = {
     "chain.triad_branch",
     "chain.triad_motion",
     "compile.compiled",
+    "compile.options_of",
     "compile.uncollected",
     "kept.fingerprint",
     "kept.folder",

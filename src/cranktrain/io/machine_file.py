@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from cranktrain.errors import InputError, Position, Problem, problems_as, refuse
 from cranktrain.io.curve_files import CurveReader, beside, with_curves
-from cranktrain.io.description import units_of_tables
 from cranktrain.io.document import Document
 from cranktrain.io.examples import EXAMPLES_FOLDER, example_called, example_document, example_near, plain_name
 from cranktrain.language import said as _
@@ -165,6 +164,8 @@ def _checked(
         from cranktrain.io.half_read import problems_of_the_rest  # most files are right
 
         found = (*found, *problems_of_the_rest(filled, known, partial=partial))
+    from cranktrain.io.description import units_of_tables  # likewise
+
     units = units_of_tables(filled)
     problems = tuple(problem_in_units(origin.placed(problem), units) for problem in found)
     if origin.paths and not any(problem.position == origin.position for problem in problems):

@@ -7,7 +7,6 @@ from functools import cache
 from types import FunctionType, ModuleType
 from typing import Any, ParamSpec, TypeVar, cast
 
-from cranktrain.linkage.once import how_compiled
 from cranktrain.motion import chosen
 
 Parameters = ParamSpec("Parameters")
@@ -70,6 +69,7 @@ def _compiled(
 ) -> object:
     """Compile a copy of the kernel whose globals hold compiled callees."""
     from cranktrain.extras import imported  # only for who compiles
+    from cranktrain.linkage.once import how_compiled
 
     numba = imported("numba", "compiled")
     teach_choices()
@@ -98,6 +98,8 @@ def options_of(faster: frozenset[str], *, within: bool) -> dict[str, Any]:
     """
     if faster:
         return WITHIN if within else FROM_PYTHON
+    from cranktrain.linkage.once import how_compiled  # only for who compiles
+
     return {**WITHIN, **how_compiled().part} if within else {**FROM_PYTHON, **how_compiled().whole}
 
 

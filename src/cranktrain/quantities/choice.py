@@ -224,8 +224,11 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
 
 @lru_cache(_MOST_TEXTS)
 def _unit_written(text: str) -> str:
-    """The unit in which a number is written; none of what has none."""
-    parts = measured(text)
+    """The unit in which a number is written; none of what has none, or is no number."""
+    try:
+        parts = measured(text)
+    except (ZeroDivisionError, OverflowError):
+        return ""
     return "" if parts is None else parts.unit
 
 

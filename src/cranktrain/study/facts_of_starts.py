@@ -26,12 +26,12 @@ from cranktrain.questions.start.facts import StartFacts
 from cranktrain.questions.start.in_row import row_of_starts
 from cranktrain.questions.start.many import facts_of_rows, happened_in
 from cranktrain.questions.start.record import (
+    RanFacts,
     RanRows,
     ReadyStarts,
     StartEvents,
     StartRun,
     StartsInShort,
-    Told,
     numbered_events,
     start_events,
 )
@@ -213,7 +213,7 @@ def _of_rows(ran: RanRows) -> _Made:
     """What became of starts that were run in short."""
     each = list(happened_in(ran))
     facts = facts_of_rows(ran, np.array([one.n_reversals for one in each], dtype=np.float64))
-    told = (Told(*own) for own in zip(*(column.tolist() for column in ran.told), strict=True))
+    told = (RanFacts(*own) for own in zip(*(column.tolist() for column in ran.told), strict=True))
     reasons = [why_ended(case, own) for case, own in zip(ran.cases, told, strict=True)]
     return _Made({StartFacts: facts, StartEvents: [numbered_events(*one) for one in each]}, reasons)
 

@@ -75,7 +75,7 @@ def _way_to_pack(kind: Any) -> Callable[["_Packer", Any], object]:
         ((NoneType, bool, int, str), lambda _packer, value: value),
         (float, lambda _packer, value: value if isfinite(value) else None),
         (kind if _names_in(kind) else (), _Packer.record),
-        (tuple | list, _Packer.each),
+        ((tuple, list), _Packer.each),
         (np.ndarray, _Packer.array),
         (Said, lambda _packer, value: str(value)),
         (np.generic, lambda packer, value: packer.plain(value.item())),
@@ -107,7 +107,7 @@ class _Packer:
 
     def each(self, values: Sequence[Any]) -> object:
         """Give each of some values."""
-        return [_way_to_pack(type(one))(self, one) for one in values]
+        return [self.plain(one) for one in values]
 
     def named(self, values: Mapping[object, Any]) -> object:
         """Give values by their names."""
@@ -115,8 +115,8 @@ class _Packer:
 
     def record(self, value: Any) -> object:
         """Give what a record or a named tuple holds."""
-        kind: Any = type(value)
-        return {"is": kind.__name__, **{name: self.plain(getattr(value, name)) for name in _names_in(kind)}}
+        names = _names_in(cast(object, type(value)))
+        return {"is": type(value).__name__, **{name: self.plain(getattr(value, name)) for name in names}}
 
     def array(self, array: NDArray[Any]) -> object:
         """Give numbers their place; truths and whole numbers, of which there are few, stand where they are."""

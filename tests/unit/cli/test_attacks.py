@@ -63,7 +63,10 @@ def test_settings_are_at_most_a_hundred(typed):
         (f"{HEAD}[{DEEP}]\n", ":5:2  a.a.a.a"),
         (f'{HEAD}x = {{ "a" . {DEEP} = 1 }}\n', ':5:7  "a" . a.a.a.a'),
         (HEAD + "".join(f"[t{i}]\n" for i in range(30_000)), "  has 30004 keys, and no machine needs more than 20000"),
-        (f"{BANK}[shaft.main]\nthrows = [{THROWS}]\n", ':6:10  shaft.main.throws = ["0 deg",'),
+        (
+            f"{BANK}[shaft.main]\nthrows = [{THROWS}]\n",
+            ":6:10  shaft.main.throws = a list of 20000, from 0 deg to 0 deg",
+        ),
         (f"{HEAD}[balance]\n", f":5:1  balance: {HOLDS_NOTHING}"),
         (f'"" = 1\n{HEAD}', f':1:6  "" = 1: {NOT_A_KEY}'),
         (f'"a\\nb\\u001b[31m" = 1\n{HEAD}', f':1:20  "a\\nb\\u001b[31m" = 1: {NOT_A_KEY}'),

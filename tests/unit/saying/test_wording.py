@@ -30,8 +30,8 @@ def test_number(value, unit, text):
 
 
 def test_limits_keep_their_digits():
-    assert precise(0.04154874) == "41.54874 mm"
-    assert precise(0.05) == "50 mm"
+    assert precise(0.04154874, "mm") == "41.54874 mm"
+    assert precise(0.05, "mm") == "50 mm"
 
 
 @pytest.mark.parametrize(

@@ -55,8 +55,8 @@ from cranktrain.questions.start.rows_of_designs import (
     TOLERANCE,
     TURNING,
     WHICH,
-    Room,
-    Rows,
+    StartRoom,
+    StartRows,
     Together,
 )
 from cranktrain.questions.start.samples_in_row import (
@@ -245,7 +245,7 @@ def in_order(marks: Any, first: int, after: int) -> None:
             at -= 1
 
 
-def is_told_by_steps(room: Any, n_parts: int) -> bool:
+def is_known_by_steps(room: Any, n_parts: int) -> bool:
     """Whether steps tell all states of a run: not where the crank was held."""
     is_told = True
     for which in range(n_parts):
@@ -258,7 +258,7 @@ def row_of_starts(kernels: Kernels) -> Any:
     """Loop over designs from one on, compiled with the kernels in it: gives the first for which there is no room."""
     derive, own = joined(kernels, True)
 
-    def run_row(given: Together, room: Room, told: Rows, first: int) -> int:
+    def run_row(given: Together, room: StartRoom, told: StartRows, first: int) -> int:
         n_rows, n_marks, nothing = 0 * first, 0 * first, 0 * first
         for design in range(first, len(given.designs)):
             n_parts = through(
@@ -282,6 +282,6 @@ def row_of_starts(kernels: Kernels) -> Any:
         return len(given.designs)
 
     through, looked_at = quick(run_parts, within=True), quick(times_to_look_at, within=True)
-    by_steps, fill = quick(is_told_by_steps, within=True), quick(states_from_steps, within=True)
+    by_steps, fill = quick(is_known_by_steps, within=True), quick(states_from_steps, within=True)
     write = quick(tell, within=True)
     return kept(run_row)

@@ -7,8 +7,8 @@ import numpy as np
 from cranktrain.motion import Array
 from cranktrain.questions.start.curves import inertia_of, motor_torque
 from cranktrain.questions.start.facts import RunsInRow, StartFacts, facts_in_row
-from cranktrain.questions.start.record import RanRows, RanStart, Told
-from cranktrain.questions.start.starting import Happened, counted_on, happened, marks_of, told_of
+from cranktrain.questions.start.record import RanFacts, RanRows, RanStart
+from cranktrain.questions.start.starting import Happened, counted_on, happened, how_it_ran, marks_of
 from cranktrain.transient.equation import ANGLE, HEAT, LOAD_WORK, LOST_WORK, MOTOR_WORK, SPEED
 from cranktrain.transient.gearing import overall_ratio, turning_inertia
 
@@ -18,7 +18,7 @@ def rows_of_one(ran: RanStart) -> RanRows:
     (time, state), marks = counted_on(ran.runs), marks_of(ran)
     torque, inertia = motor_torque(ran.case, time, state[:, SPEED]), inertia_of(ran.case, state[:, ANGLE])
     sizes = np.array([len(time)]), np.array([len(marks)])
-    told = Told(*(np.array([one]) for one in told_of(ran)))
+    told = RanFacts(*(np.array([one]) for one in how_it_ran(ran)))
     return RanRows((ran.case,), time, state, torque, inertia, sizes[0], marks, sizes[1], told)
 
 

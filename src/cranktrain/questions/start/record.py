@@ -214,7 +214,7 @@ class RanRows(NamedTuple):
         Kind, time counted on, angle and speed of events. [1, s, rad, rad/s]
     n_marks : array of int, shape (design,)
         How many events each has.
-    told : Array, shape (`Told`, design)
+    told : Array, shape (`RanFacts`, design)
     """
 
     cases: tuple[StartCase, ...]
@@ -225,10 +225,10 @@ class RanRows(NamedTuple):
     sizes: NDArray[np.intp]
     marks: Array
     n_marks: NDArray[np.intp]
-    told: "Told"
+    told: "RanFacts"
 
 
-class Told(NamedTuple):
+class RanFacts(NamedTuple):
     """What is told of a start besides its samples; of each design, shape (design,).
 
     Attributes

@@ -64,7 +64,7 @@ ENDS_AT, TARGET, WHICH, TO_REST = range(4)
 ) = range(11)
 """Of a part that was run; whether the crank was held in it, when steps do not tell its states."""
 REASON, N_STEPS, LEFT_OVER, SUPPLIED, END_TIME, END_SPEED, N_SAMPLES, N_MARKS = range(8)
-"""Of a design that was run: those of `Told`, and how many samples and events it has."""
+"""Of a design that was run: those of `RanFacts`, and how many samples and events it has."""
 MOST_MARKS = 2000
 """Events of a part that are written down."""
 
@@ -102,7 +102,7 @@ class Together(NamedTuple):
     breaks: Array
 
 
-class Room(NamedTuple):
+class StartRoom(NamedTuple):
     """Where a design is computed: a course, numbers of a machine, and what one run and its samples need."""
 
     course: Course
@@ -119,7 +119,7 @@ class Room(NamedTuple):
     table: Array
 
 
-class Rows(NamedTuple):
+class StartRows(NamedTuple):
     """What is told of designs: a row of each; samples and events one behind the other."""
 
     designs: Array

@@ -19,11 +19,11 @@ from cranktrain.questions.start.notes import start_notes
 from cranktrain.questions.start.record import (
     GasOverTime,
     PartOfRun,
+    RanFacts,
     RanStart,
     ReadyStarts,
     StartEvent,
     StartRun,
-    Told,
 )
 from cranktrain.questions.start.spans import (
     LONGEST,
@@ -288,15 +288,15 @@ def loaded(runs: Sequence[tuple[PartOfRun, TransientRun]]) -> list[tuple[float, 
 
 def reason_of(ran: RanStart) -> Words:
     """Why it ended."""
-    return why_ended(ran.case, told_of(ran))
+    return why_ended(ran.case, how_it_ran(ran))
 
 
-def why_ended(case: StartCase, told: Told) -> Words:
+def why_ended(case: StartCase, told: RanFacts) -> Words:
     """Why a design ended, by what was asked for."""
     return _(_reason(case, told))
 
 
-def _reason(case: StartCase, told: Told) -> str:
+def _reason(case: StartCase, told: RanFacts) -> str:
     """The same, not yet translated."""
     if told.reason == endings.OVERSPEED:
         return OVERSPEED
@@ -309,11 +309,11 @@ def _reason(case: StartCase, told: Told) -> str:
     return SETTLED if told.end_speed >= 0 else SETTLED_BACKWARD
 
 
-def told_of(ran: RanStart) -> Told:
+def how_it_ran(ran: RanStart) -> RanFacts:
     """What is told of a start besides its samples."""
     span, last = ran.runs[-1]
     residual, supplied = residual_of(ran), sum(found.supplied for _span, found in ran.runs)
-    return Told(ran.reason, last.n_steps, residual, supplied, span.start + last.end_time, float(last.end[SPEED]))
+    return RanFacts(ran.reason, last.n_steps, residual, supplied, span.start + last.end_time, float(last.end[SPEED]))
 
 
 class Happened(NamedTuple):

@@ -16,14 +16,14 @@ from cranktrain.questions.start.case import StartCase, StartCases, start_kernels
 from cranktrain.questions.start.in_row import row_of_starts
 from cranktrain.questions.start.many import rows_of_one
 from cranktrain.questions.start.method import method_of
-from cranktrain.questions.start.record import RanRows, ReadyStarts, StartRun, StartsInShort, Told
+from cranktrain.questions.start.record import RanFacts, RanRows, ReadyStarts, StartRun, StartsInShort
 from cranktrain.questions.start.rows_of_designs import (
     MOST_MARKS,
     MOST_PARTS,
     N_PART,
     DesignNumbers,
-    Room,
-    Rows,
+    StartRoom,
+    StartRows,
     Together,
 )
 from cranktrain.questions.start.starting import breaks_of, ran_start, run_start, spans_of
@@ -48,7 +48,7 @@ class _BigRoom(NamedTuple):
 
     steps: Array
     samples: Array
-    told: Rows
+    told: StartRows
 
 
 _left_rooms = list[_BigRoom]()
@@ -103,7 +103,7 @@ def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows
         with _room_for(len(own) - first, times) as (steps, samples, told):
             after = loop(given, _room(given, steps, samples), told, first)
             if after > first:
-                yield _rows_told(own[first:after], told)
+                yield _rows_found(own[first:after], told)
                 first, times = after, 1
                 continue
         if times < _MOST_ROOM:
@@ -134,7 +134,7 @@ def _big_room(n_designs: int, times: int) -> _BigRoom:
     return _BigRoom(
         np.empty((times * _N_STEPS, N_TRACED)),
         np.empty((n_samples, 3 + N_STATE)),
-        Rows(np.empty((n_designs, 8)), time, np.empty((n_rows, N_STATE)), torque, inertia, np.empty((n_marks, 4))),
+        StartRows(np.empty((n_designs, 8)), time, np.empty((n_rows, N_STATE)), torque, inertia, np.empty((n_marks, 4))),
     )
 
 
@@ -199,12 +199,12 @@ def _numbers(case: StartCase) -> DesignNumbers:
     )
 
 
-def _room(given: Together, steps: Array, samples: Array) -> Room:
+def _room(given: Together, steps: Array, samples: Array) -> StartRoom:
     """Room for one design after another."""
     n_samples = len(samples)
     apart = samples.reshape(-1)
     times, close, within = apart[: 3 * n_samples].reshape(3, n_samples)
-    return Room(
+    return StartRoom(
         room_for_a_course(),
         np.empty(given.machines.shape[1]),
         np.empty(N_STATE),
@@ -220,10 +220,10 @@ def _room(given: Together, steps: Array, samples: Array) -> Room:
     )
 
 
-def _rows_told(cases: Sequence[StartCase], told: Rows) -> RanRows:
+def _rows_found(cases: Sequence[StartCase], told: StartRows) -> RanRows:
     """What became of designs."""
     *of_all, sizes, n_marks = told.designs[: len(cases)].T
     sizes, n_marks = sizes.astype(np.intp), n_marks.astype(np.intp)
     rows, marks = slice(int(np.sum(sizes))), slice(int(np.sum(n_marks)))
     along = (told.time[rows], told.state[rows], told.torque[rows], told.inertia[rows])
-    return RanRows(tuple(cases), *along, sizes, told.marks[marks], n_marks, Told(*of_all))
+    return RanRows(tuple(cases), *along, sizes, told.marks[marks], n_marks, RanFacts(*of_all))
