@@ -65,7 +65,9 @@ def designed(page) -> None:
     """Vary two numbers."""
     for place, path in enumerate(("bank.line.mechanism.stroke", "shaft.main.speed")):
         page.locator(".design .axis select").nth(place).select_option(path)
-    page.locator(".facts input:checked").first.uncheck()
+    chosen = page.locator(".facts input:checked")
+    while chosen.count():
+        chosen.first.uncheck()
     for name in ("largest_torque", "largest_side_force"):
         page.locator(f".facts input[value={name}]").check()
     page.locator(".design button[type=submit]").click()

@@ -104,8 +104,10 @@ class KeptOutcomes:
 
     def _mark_now(self, kind: type, known: object | None) -> object:
         """The mark of a part that is known, or else of what is kept."""
+        if known is not None:
+            return self._mark(kind, known)
         kept = self._kept.get(kind)
-        return self._mark(kind, known) if known is not None else None if kept is None else kept.mark
+        return None if kept is None else kept.mark
 
     def _mark(self, kind: type, found: object) -> object:
         """The mark of what a stage is given; of what is not kept, or no more, the thing itself."""

@@ -1,6 +1,6 @@
 """A machine on a page with its numbers, any of which may be set anew: what is asked, and what is sent."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
 
@@ -141,8 +141,9 @@ def packed_page(case: Case, tab: str, beside: Case | None = None, piston: str = 
     with result.in_its_units():
         page = machine_page(result, tab, _result_of(beside), piston)
         words = case_words(adds_parts=any(place.kind.additions for place in file.machine.places))
-        tables, varied = _tables(file), _varied_first(file)
-        return packed(PageCase(page, tables, varied, spoken_language(), tuple(_languages()), words))
+        inputs = inputs_of(file)
+        tables = _tables(file, inputs)
+        return packed(PageCase(page, tables, _varied_first(inputs), spoken_language(), tuple(_languages()), words))
 
 
 def packed_tab(case: Case, tab: str, beside: Case | None = None, piston: str = "") -> Packed:
@@ -284,11 +285,11 @@ def _languages() -> Iterator[PageLanguage]:
         yield PageLanguage(code, name)
 
 
-def _tables(file: MachineFile) -> tuple[NumbersOfTable, ...]:
+def _tables(file: MachineFile, inputs: Sequence[Input]) -> tuple[NumbersOfTable, ...]:
     """Give the numbers of a file, table by table."""
-    tables = grouped((_table_of(one.path), one) for one in inputs_of(file))
+    tables = grouped((_table_of(one.path), one) for one in inputs)
     return tuple(
-        NumbersOfTable(_table_name(file, above), tuple(map(_page_input, inputs))) for above, inputs in tables.items()
+        NumbersOfTable(_table_name(file, above), tuple(map(_page_input, own))) for above, own in tables.items()
     )
 
 
@@ -299,9 +300,9 @@ def _table_of(path: str) -> PathParts:
     return parts[: max((place for place, part in enumerate(parts) if isinstance(part, str)), default=0)]
 
 
-def _varied_first(file: MachineFile) -> str:
-    """Path of a number of which much depends: of the first in the table of a mechanism that is not 0."""
-    given = [one.path for one in inputs_of(file) if one.given.si != 0.0]
+def _varied_first(inputs: Sequence[Input]) -> str:
+    """Path of a number on which much depends: of the first in the table of a mechanism that is not 0."""
+    given = [one.path for one in inputs if one.given.si != 0.0]
     return next((path for path in given if "mechanism" in parts_of(path)), given[0] if given else "")
 
 

@@ -183,6 +183,7 @@ def asked_of(given: Any, design: int, room: Any, part: Any, n_samples: int) -> W
     """What is wanted of a part."""
     own, began, ends, target = given.designs[design], part[PART_BEGAN], part[PART_ENDS], part[PART_TARGET]
     is_timed = began <= ends
+    # As products whole numbers are variables, of one type wherever they are from; so in `run_row`.
     limits = RunLimits(
         ends - began,
         target,

@@ -17,9 +17,10 @@ def rows_of_one(ran: RanStart) -> RanRows:
     """A start that has run, as rows of one."""
     (time, state), marks = counted_on(ran.runs), marks_of(ran)
     torque, inertia = motor_torque(ran.case, time, state[:, SPEED]), inertia_of(ran.case, state[:, ANGLE])
-    sizes = np.array([len(time)]), np.array([len(marks)])
     told = RanFacts(*(np.array([one]) for one in how_it_ran(ran)))
-    return RanRows((ran.case,), time, state, torque, inertia, sizes[0], marks, sizes[1], told)
+    return RanRows(
+        (ran.case,), time, state, torque, inertia, np.array([len(time)]), marks, np.array([len(marks)]), told
+    )
 
 
 def happened_in(ran: RanRows) -> Iterator[Happened]:

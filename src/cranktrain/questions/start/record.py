@@ -207,7 +207,7 @@ class RanRows(NamedTuple):
         [s]
     state : Array, shape (sample, state)
     torque, inertia : Array, shape (sample,)
-        Of the motor, and the machine's own; NaN where nobody asks for it. [N·m, kg·m²]
+        Of the motor, and the machine's reduced to the crank. [N·m, kg·m²]
     sizes : array of int, shape (design,)
         How many samples each has.
     marks : Array, shape (event, 4)
