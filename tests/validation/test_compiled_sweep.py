@@ -137,7 +137,7 @@ def test_what_cannot_be_read_is_made_anew(tmp_path):
 
     first = peak()
     kept = [path for path in tmp_path.rglob("*.nb?") if path.is_file()]
-    assert len(kept) > 6
+    assert len(kept) == 4  # what Python calls alone: two loops, an index and the code of each
     for place, path in enumerate(kept):
         path.write_bytes([b"", b"nonsense", path.read_bytes()[: len(path.read_bytes()) // 2]][place % 3])
     assert peak() == first

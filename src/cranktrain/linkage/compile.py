@@ -87,17 +87,12 @@ def _compiled(
     # which costs a sixth of its time; a kernel's private parts it may weigh, or long kernels would take minutes.
     # Said in so many words, as else it would take after the function that calls it first.
     inlined = not kernel.__name__.startswith("_")
-    options = options_of(faster, within=within) if within else how_compiled().whole
+    options = options_of(within=True) if within else how_compiled().whole
     return numba.njit(error_model="numpy", fastmath=set(faster) or False, forceinline=inlined, **options)(copy)
 
 
-def options_of(faster: frozenset[str], *, within: bool) -> dict[str, Any]:
-    """Options for Numba of what Python calls, or other compiled code alone.
-
-    What is faster is optimised step by step: which sums are put together otherwise depends on that.
-    """
-    if faster:
-        return WITHIN if within else FROM_PYTHON
+def options_of(*, within: bool) -> dict[str, Any]:
+    """Options for Numba of what Python calls, or other compiled code alone."""
     from cranktrain.linkage.once import how_compiled  # only for who compiles
 
     return {**WITHIN, **how_compiled().part} if within else {**FROM_PYTHON, **how_compiled().whole}

@@ -7,7 +7,14 @@ compiled code all that is thrown away. A function ten calls deep is so optimised
 from functools import cache
 from typing import Any, NamedTuple
 
-_OF_A_LIBRARY = ("add_linking_library", "finalize", "get_pointer_to_function", "enable_object_caching")
+_OF_A_LIBRARY = (
+    "add_linking_library",
+    "finalize",
+    "get_pointer_to_function",
+    "enable_object_caching",
+    "_optimize_functions",
+    "_optimize_final_module",
+)
 """What Numba's library of compiled code does, which is done here otherwise."""
 
 
@@ -27,11 +34,19 @@ def how_compiled() -> HowCompiled:
     from numba.core import codegen, compiler
 
     library_class: Any = getattr(codegen, "JITCodeLibrary", None)
+    generator_class: Any = getattr(codegen, "JITCPUCodegen", None)
     compiler_class: Any = getattr(compiler, "Compiler", None)
-    if compiler_class is None or not all(hasattr(library_class, name) for name in _OF_A_LIBRARY):
+    is_there = all(hasattr(library_class, name) for name in _OF_A_LIBRARY)
+    if compiler_class is None or not is_there or not hasattr(generator_class, "_module_pass_manager"):
         return HowCompiled({}, {})
 
-    class Part(library_class):
+    class Own(library_class):
+        """A library of which no function is optimised by itself."""
+
+        def _optimize_functions(self, ll_module: Any) -> None:
+            """Leave it as it is."""
+
+    class Part(Own):
         """A function alone, without what it calls, neither optimised nor made machine code of."""
 
         def finalize(self) -> None:
@@ -51,8 +66,14 @@ def how_compiled() -> HowCompiled:
         def set_env(self, env_name: str, env: object) -> None:
             """Take no notice: what Python does not call needs none."""
 
-    class Whole(library_class):
+    class Whole(Own):
         """A function with all that it calls."""
+
+        def _optimize_final_module(self) -> None:
+            """Let all passes run once: the cheap ones before them are for counts of who holds arrays."""
+            made = self._codegen._module_pass_manager()
+            manager, *more = made if isinstance(made, tuple) else (made,)  # before Numba 0.62 there is no builder
+            manager.run(self._final_module, *more)
 
         def add_linking_library(self, library: Any) -> None:
             """Take in what it calls, and of parts what these call."""

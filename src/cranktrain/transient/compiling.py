@@ -68,7 +68,7 @@ def _quick(function: Any, faster: frozenset[str], *, within: bool) -> Any:
         nogil=True,
         fastmath=set(faster) or False,
         forceinline=is_part,
-        **options_of(faster, within=within),
+        **options_of(within=within),
     )
     return made(copy)
 

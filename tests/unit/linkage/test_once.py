@@ -45,9 +45,23 @@ def test_one_part_may_be_in_several():
     assert quick(outer)(3.0) == outer(3.0)
 
 
-def test_another_numba_compiles_as_it_does_by_itself(monkeypatch):
-    """One that has no such library of compiled code."""
+def test_sums_put_together_otherwise_are_optimised_once_too():
+    """As those of cycles are: no part is optimised, and none is called within the whole."""
+    compiled = quick(outer, frozenset({"reassoc"}))
+    assert compiled(2.0) == pytest.approx(outer(2.0), rel=1e-15)
+    (whole,) = compiled.overloads.values()
+    (part,) = compiled.py_func.__globals__["inner"].overloads.values()
+    assert "alloca" in part.library.get_llvm_str()
+    assert "alloca double" not in whole.library.get_llvm_str()
+
+
+@pytest.mark.parametrize(("owner", "name"), [("", "JITCodeLibrary"), ("JITCPUCodegen", "_module_pass_manager")])
+def test_another_numba_compiles_as_it_does_by_itself(owner, name, monkeypatch):
+    """One that has no such library of compiled code, or optimises it in other words."""
     from numba.core import codegen
 
-    monkeypatch.delattr(codegen, "JITCodeLibrary")
+    if owner:
+        monkeypatch.setattr(codegen, owner, type(owner, (), {}))
+    else:
+        monkeypatch.delattr(codegen, name)
     assert how_compiled.__wrapped__() == ({}, {})

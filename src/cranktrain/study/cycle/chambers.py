@@ -3,17 +3,15 @@
 import numpy as np
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.given import ChamberNumbers
-from cranktrain.study.cycle.panels import CutCycle
 
 TURN = 2 * np.pi
 
 
-def branch_at(angle: float, room: ChamberNumbers, design: int, chamber: int, cycle: float) -> tuple[float, float]:
+def branch_at(angle: float, least: float, greatest: float, cycle: float) -> tuple[float, float]:
     """Sense and turn of a chamber at φ, by the strokes: as `chamber_state` finds them by the volume's slope."""
-    after = angle - room.least[design, chamber]
+    after = angle - least
     after -= cycle * np.floor(after / cycle)
-    opens = room.greatest[design, chamber] - room.least[design, chamber]
+    opens = greatest - least
     opens -= TURN * np.floor(opens / TURN)
     within = after - TURN * np.floor(after / TURN)
     sense = 1.0 if within < opens else -1.0
@@ -24,14 +22,13 @@ def branch_at(angle: float, room: ChamberNumbers, design: int, chamber: int, cyc
 
 
 def branch_from(
-    panel: int, cut: CutCycle, room: ChamberNumbers, design: int, chamber: int, cycle: float
+    panel: int, starts: Array, widths: Array, least: float, greatest: float, cycle: float
 ) -> tuple[float, float, int]:
     """Sense and turn of a chamber in a panel, and which panel is the first after it on another branch."""
-    starts, widths = cut.panels.start, cut.panels.width
-    sense, turn = branch_at(starts[panel] + 0.5 * widths[panel], room, design, chamber, cycle)
+    sense, turn = branch_at(starts[panel] + 0.5 * widths[panel], least, greatest, cycle)
     after = panel + 1
-    while after < cut.n_panels:
-        its_sense, its_turn = branch_at(starts[after] + 0.5 * widths[after], room, design, chamber, cycle)
+    while after < starts.size:
+        its_sense, its_turn = branch_at(starts[after] + 0.5 * widths[after], least, greatest, cycle)
         if its_sense != sense or its_turn != turn:
             break
         after += 1

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, ParamSpec, TypeVar
 import numpy as np
 
 from cranktrain.linkage import compiled as compiled_kernel
-from cranktrain.linkage.compile import FROM_PYTHON, WITHIN
+from cranktrain.linkage.compile import options_of
 from cranktrain.linkage.forces import Friction
 from cranktrain.linkage.forces.guide import Guided, friction_force
 from cranktrain.linkage.kept import keep
@@ -118,20 +118,21 @@ def kernel(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outc
 
 
 def called(function: Callable[Parameters, Outcome], *, within: bool = True) -> Callable[Parameters, Outcome]:
-    """Compile a long loop, which is called, within compiled code or from Python, and keep what comes out."""
+    """Compile a long loop, which is called, within compiled code or from Python; what Python calls is kept."""
     compiled = quick(function, FASTER, within=within)
-    keep(compiled, *map(getsource, (given, nodes, panels)))
+    if not within:
+        keep(compiled, *map(getsource, (given, nodes, panels)))
     return compiled
 
 
 def part(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile a part of a written module, to stand where it is called."""
-    return _compiled(function, forceinline=True, **WITHIN)
+    return _compiled(function, forceinline=True, **options_of(within=True))
 
 
 def loop(function: Callable[Parameters, Outcome]) -> Callable[Parameters, Outcome]:
     """Compile the outermost loop of a written file, whose name says what it is made of, and keep what comes out."""
-    compiled = _compiled(function, nogil=True, **FROM_PYTHON)
+    compiled = _compiled(function, nogil=True, **options_of(within=False))
     keep(compiled)
     return compiled
 

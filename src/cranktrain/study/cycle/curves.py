@@ -5,20 +5,24 @@ from collections.abc import Iterator
 from cranktrain.fluids import ChamberState
 from cranktrain.linkage.forces import Body, Conditions, Drive, Friction, Gravity, Wrench
 from cranktrain.study.cycle.lines import CRANK, Imports, body_lines, indented, member_lines, taken_out
+from cranktrain.study.cycle.panels import CutCycle
 from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape
 
 
 def fill_lines(structure: CycleStructure, imports: Imports) -> Iterator[str]:
     """Curves at all points of the panels: pistons first, then chambers, then forces, slaves' before their masters'."""
     of_forces = (Conditions, Drive, Friction, Wrench) if structure.needs_forces else ()
-    for thing in (Body, ChamberState, Gravity, *of_forces):
+    for thing in (Body, ChamberState, CutCycle, Gravity, *of_forces):
         imports.name(thing)
-    yield "n_points = cut.n_points"
+    yield "cut = CutCycle(panels, nodes, n_panels, n_points, length, turning.zero[design])"
+    yield "angle = panels.angle[:n_points]"
+    yield "directions(angle, work.cos, work.sin)"
     yield "all_cos, all_sin = work.cos, work.sin"
     if structure.fluids:
         for place, one in enumerate(structure.kinds):
             if one.has_pistons:
                 yield from _pistons(place, one, imports)
+        yield "starts, widths = panels.start[:n_panels], panels.width[:n_panels]"
         for place, (_fluid, shape) in enumerate(structure.fluids):
             yield from _chambers(place, shape, structure.asks, imports)
     yield "work.torque[:, :n_points] = 0.0"
@@ -52,17 +56,17 @@ def _chambers(place: int, shape: Shape, asks: frozenset[str], imports: Imports) 
     yield from indented(numbers, 1)
     yield "    smallest, largest = room.smallest[design, chamber], room.largest[design, chamber]"
     yield "    start, ambient = room.start[design, chamber], room.ambient[design, chamber]"
-    yield "    firing = room.firing[design, chamber]"
+    yield "    firing, inmost, outmost = room.firing[design, chamber], least[chamber], greatest[chamber]"
     yield "    one, other = room.partner[chamber, 0], room.partner[chamber, 1]"
     yield "    area, beside = room.area[design, chamber, 0], room.area[design, chamber, 1]"
     yield "    start += area * room.top[design, one] + beside * room.top[design, other]"
     yield f"    own = start, area, beside, smallest, largest, firing, {made}"
     yield "    panel = 0"
-    yield "    while panel < cut.n_panels:"
-    yield "        begin = cut.panels.first[panel]"
-    yield "        sense, turn, panel = branch_from(panel, cut, room, design, chamber, turning.cycle)"
-    yield "        end = cut.panels.first[panel] if panel < cut.n_panels else n_points"
-    yield "        where = work.slider[one, begin:end], work.slider[other, begin:end], cut.panels.angle[begin:end]"
+    yield "    while panel < n_panels:"
+    yield "        begin = panels.first[panel]"
+    yield "        sense, turn, panel = branch_from(panel, starts, widths, inmost, outmost, turning.cycle)"
+    yield "        end = panels.first[panel] if panel < n_panels else n_points"
+    yield "        where = work.slider[one, begin:end], work.slider[other, begin:end], angle[begin:end]"
     yield "        pressure = work.gas[begin:end]"
     # each branch for itself, of which the compiler leaves out what others have
     yield "        if turn > 0.0 and sense > 0.0:"

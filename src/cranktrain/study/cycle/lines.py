@@ -1,9 +1,10 @@
 """Lines of a written cycle that many of its parts have: what is imported, and numbers taken out of their arrays."""
 
+import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from cranktrain.study.cycle.structure import CycleStructure, KindSource, Shape
+from cranktrain.study.cycle.structure import KindSource, Shape
 
 INDENT = "    "
 CRANK = "Direction(cos * ahead.cos - sin * ahead.sin, sin * ahead.cos + cos * ahead.sin)"
@@ -76,8 +77,18 @@ def indented(lines: Iterable[str], depth: int) -> Iterator[str]:
     return (f"{INDENT * depth}{line}" for line in lines)
 
 
-def arguments(structure: CycleStructure) -> str:
-    """Names of what is given of kinds and fluids."""
-    kinds = ", ".join(f"k{place}" for place in range(len(structure.kinds)))
-    fluids = ", ".join(f"f{place}" for place in range(len(structure.fluids)))
-    return ", ".join(filter(None, (kinds, fluids)))
+_IN_TUPLE = re.compile(r"\b(k\d+|f\d+|room|turning|wanted|panels|work|found)\.(\w+)")
+"""What a loop is given of a tuple, where a written line names it."""
+
+
+def taken_by(lines: Iterable[str]) -> tuple[str, ...]:
+    """What lines name of the tuples that are given, each once."""
+    return tuple(dict.fromkeys(f"{whole}.{part}" for line in lines for whole, part in _IN_TUPLE.findall(line)))
+
+
+def in_names(lines: Iterable[str]) -> list[str]:
+    """Lines in which each of these has a name of its own.
+
+    A tuple of arrays is given word by word, and read so wherever one of them is named, until the compiler sees which.
+    """
+    return [_IN_TUPLE.sub(r"\1_\2", line) for line in lines]

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
-from cranktrain.study.cycle.given import EvennessAsked, Found, TurningDesigns, Work
+from cranktrain.study.cycle.given import Found, TurningDesigns
 from cranktrain.study.cycle.nodes import PanelNodes
 from cranktrain.study.cycle.panels import CutCycle, Panels
 from cranktrain.study.cycle.running import exact_flywheel, fluctuation_of, integral_of, mean_of, mertsalov_flywheel
@@ -39,10 +39,9 @@ def own_edges(
     return n_edges, n_poles
 
 
-def directions(cut: CutCycle, cos: Array, sin: Array) -> None:
+def directions(angle: Array, cos: Array, sin: Array) -> None:
     """Find cosine and sine of φ at all points of the panels, from the nearest half turn, whose sign both then have."""
-    angle = cut.panels.angle
-    for point in range(cut.n_points):
+    for point in range(angle.size):
         half_turns = np.rint(angle[point] * (1 / np.pi))
         sign = 1.0 - 2.0 * abs(half_turns - 2.0 * np.rint(0.5 * half_turns))
         x = angle[point] - half_turns * np.pi
@@ -67,54 +66,55 @@ def shows(curves: Array, cut: CutCycle) -> bool:
     return is_shown
 
 
-def tell_torque(design: int, cut: CutCycle, work: Work, found: Array) -> None:
-    """Find the largest and the smallest torque of a design; `found` is that of `Found`, as in all that follow."""
-    own = found[design]
-    own[1], own[0], own[3], own[2] = extremes(work.torque[0], cut, work.tops)
-    own[4] = greatest(work.torque[1], cut.n_points)
+def tell_torque(cut: CutCycle, torque: Array, tops: Tops, found: Array) -> None:
+    """Find the largest and the smallest torque of a design.
+
+    Curves are those of `Work`, here and in all that follow, and what is found is that of `Found`, of one design.
+    """
+    found[1], found[0], found[3], found[2] = extremes(torque[0], cut, tops)
+    found[4] = greatest(torque[1], cut.n_points)
 
 
-def tell_joints(design: int, cut: CutCycle, work: Work, found: Array) -> None:
+def tell_joints(cut: CutCycle, joint_x: Array, joint_y: Array, tops: Tops, found: Array) -> None:
     """Find the largest force in every joint."""
-    for joint in range(work.joint_x.shape[0]):
-        own = found[design, joint]
-        own[1], own[0] = largest_size(work.joint_x[joint], work.joint_y[joint], cut, work.tops)
+    for joint in range(joint_x.shape[0]):
+        own = found[joint]
+        own[1], own[0] = largest_size(joint_x[joint], joint_y[joint], cut, tops)
 
 
-def tell_chambers(design: int, cut: CutCycle, work: Work, found: Array) -> None:
+def tell_chambers(cut: CutCycle, pressure: Array, tops: Tops, found: Array) -> None:
     """Find the largest pressure in every chamber."""
-    for chamber in range(work.pressure.shape[0]):
-        own = found[design, chamber]
-        own[1], own[0], _down, _least = extremes(work.pressure[chamber], cut, work.tops)
+    for chamber in range(pressure.shape[0]):
+        own = found[chamber]
+        own[1], own[0], _down, _least = extremes(pressure[chamber], cut, tops)
 
 
-def tell_rods(design: int, cut: CutCycle, work: Work, found: Array) -> None:
+def tell_rods(cut: CutCycle, rod: Array, tops: Tops, found: Array) -> None:
     """Find the largest force along every cylinder, of its wall, and along its rod at either pin."""
-    for piston in range(work.rod.shape[1]):
+    for piston in range(rod.shape[1]):
         for place in range(3):
-            value, angle = _either_way(work.rod[place, piston], cut, work.tops)
+            value, angle = _either_way(rod[place, piston], cut, tops)
             if place == _ALONG_ROD:
-                other, where = _either_way(work.rod[3, piston], cut, work.tops)
+                other, where = _either_way(rod[3, piston], cut, tops)
                 if other > value * (1.0 + _ALIKE):
                     value, angle = other, where
-            found[design, piston, 2 * place], found[design, piston, 2 * place + 1] = value, angle
+            found[piston, 2 * place], found[piston, 2 * place + 1] = value, angle
 
 
-def keep_panels(design: int, cut: CutCycle, work: Work, found: Found) -> bool:
-    """Keep panels of a design, with the gas's force at their points; give whether there was room for them."""
-    if cut.n_points > found.angle.shape[1]:
-        return False
+def keep_panels(cut: CutCycle, of_gas: Array, panel: Array, row: NDArray[np.intp], angle: Array, push: Array) -> int:
+    """Keep panels of a design, with the gas's force at their points; give how many, none where there is no room."""
+    if cut.n_points > angle.size:
+        return 0
     panels = cut.panels
-    found.n_panels[design] = cut.n_panels
-    for panel in range(cut.n_panels):
-        found.panel[design, 0, panel], found.panel[design, 1, panel] = panels.start[panel], panels.width[panel]
-        found.row[design, panel] = panels.size[panel]
+    for place in range(cut.n_panels):
+        panel[0, place], panel[1, place] = panels.start[place], panels.width[place]
+        row[place] = panels.size[place]
     for point in range(cut.n_points):
-        found.angle[design, point] = panels.angle[point]
-    for piston in range(found.push.shape[1]):
+        angle[point] = panels.angle[point]
+    for piston in range(push.shape[0]):
         for point in range(cut.n_points):
-            found.push[design, piston, point] = work.push[piston, point]
-    return True
+            push[piston, point] = of_gas[piston, point]
+    return cut.n_panels
 
 
 def tell_vectors(
@@ -164,40 +164,42 @@ def _either_way(curve: Array, cut: CutCycle, tops: Tops) -> tuple[float, float]:
 
 
 def tell_running(
-    design: int, cut: CutCycle, turning: TurningDesigns, wanted: EvennessAsked, work: Work, found: Found
-) -> bool:
-    """Find how evenly a design runs; give whether all that was asked is known."""
-    tops, speed = work.tops, turning.speed[design]
-    stored, inertia, square = work.running[2], work.running[1], work.running[3]
-    integral_of(work.running[0], mean_of(work.running[0], cut), cut, stored)
+    cut: CutCycle,
+    speed: float,
+    wanted_inertia: Array,
+    wanted_coefficient: Array,
+    running: Array,
+    tops: Tops,
+    found: Array,
+    sizes: Array,
+) -> tuple[float, bool]:
+    """Find how evenly a design runs; give its largest excess work, and whether all that was asked is known."""
+    stored, inertia, square = running[2], running[1], running[3]
+    integral_of(running[0], mean_of(running[0], cut), cut, stored)
     _up, most, _down, least = extremes(stored, cut, tops)
     excess = most - least
-    found.work[design] = excess
-    for flywheel in range(wanted.inertia.shape[1]):
-        added, own = wanted.inertia[design, flywheel], found.running[design]
-        if not fluctuation_of(stored, inertia, added, speed, cut, square, tops, own):
-            return False
-    for coefficient in range(wanted.coefficient.shape[1]):
-        delta = wanted.coefficient[design, coefficient]
-        sizes = found.flywheel[design]
+    for flywheel in range(wanted_inertia.size):
+        if not fluctuation_of(stored, inertia, wanted_inertia[flywheel], speed, cut, square, tops, found):
+            return excess, False
+    for coefficient in range(wanted_coefficient.size):
+        delta = wanted_coefficient[coefficient]
         sizes[0] = exact_flywheel(stored, inertia, speed, delta, cut, square, tops)
         sizes[1] = mertsalov_flywheel(stored, inertia, speed, delta, cut, square, tops)
         sizes[2] = excess / (delta * speed * speed)
         if sizes[0] != sizes[0]:
-            return False
-    return True
+            return excess, False
+    return excess, True
 
 
 def tell_given(
-    design: int, cut: CutCycle, turning: TurningDesigns, wanted: EvennessAsked, work: Work, found: Found
+    cut: CutCycle, speed: float, wanted_coefficient: Array, running: Array, tops: Tops, speeds: Array, sizes: Array
 ) -> bool:
     """Find what fluctuation the flywheels of a design give; whether it is known."""
-    speed, sizes, given = turning.speed[design], found.flywheel[design], work.speeds
-    stored, inertia, square = work.running[2], work.running[1], work.running[3]
-    for method in range(3 if wanted.coefficient.shape[1] > 0 else 0):
-        if not fluctuation_of(stored, inertia, sizes[method], speed, cut, square, work.tops, given):
+    stored, inertia, square = running[2], running[1], running[3]
+    for method in range(3 if wanted_coefficient.size > 0 else 0):
+        if not fluctuation_of(stored, inertia, sizes[method], speed, cut, square, tops, speeds):
             return False
-        sizes[3 + method] = (given[0] - given[2]) / speed
+        sizes[3 + method] = (speeds[0] - speeds[2]) / speed
     return True
 
 

@@ -90,8 +90,8 @@ def sorted_edges(edge: Array, n_edges: int, cycle: float) -> int:
 
 
 def cut_cycle(
-    panels: Panels, n_edges: int, length: float, zero: float, poles: Array, away: Array, finer: float, nodes: PanelNodes
-) -> CutCycle:
+    panels: Panels, n_edges: int, length: float, poles: Array, away: Array, finer: float, nodes: PanelNodes
+) -> tuple[int, int]:
     """Cut the cycle at its edges, and further where poles are near.
 
     Parameters
@@ -99,13 +99,18 @@ def cut_cycle(
     panels : Panels
         Whose `edge` holds the sorted edges, and which is filled.
     n_edges : int
-    length, zero : float
+    length : float
         As of `CutCycle`. [rad]
     poles, away : Array, shape (pole,)
         φ beside which the curves have poles, and how far from the real axis; 0 of what has none. [rad]
     finer : float
         By what panels are narrower than usual.
     nodes : PanelNodes
+
+    Returns
+    -------
+    int, int
+        How many panels and how many points there are, as of `CutCycle`.
     """
     count, n_points, share = 0, 0, 1.0 / finer
     for place in range(max(n_edges, 1)):
@@ -123,7 +128,7 @@ def cut_cycle(
             if end - start - width <= _ALIKE:
                 width = end - start
             if count == len(panels.start):
-                return CutCycle(panels, nodes, 0, 0, length, zero)
+                return 0, 0
             size = 0
             while width > nodes.share[size] * widest:
                 size += 1
@@ -138,7 +143,7 @@ def cut_cycle(
             if width == end - start:
                 break
             start += width
-    return CutCycle(panels, nodes, count, n_points, length, zero)
+    return count, n_points
 
 
 def _widest(start: float, width: float, poles: Array, away: Array, cycle: float, share: float) -> float:

@@ -4,8 +4,10 @@ What those give, largest torques, pressures, forces, how evenly it runs, is foun
 `run` make of that, on a grid without angles.
 """
 
+import operator
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -263,7 +265,7 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: CompiledWay) -> 
     has_gas = GasPressures in way.from_loop
     run.find([GasInChambers, CylinderTravel, SweptVolumes] if has_gas else [])
     gas = of_gas(run[GasInChambers] if has_gas else None, run[CylinderTravel] if has_gas else None, n_designs)
-    structure = CycleStructure(kinds.sources, gas.sources, way.asks)
+    structure = CycleStructure(kinds.sources, gas.sources, way.asks, has_several=len(mechanisms.names) > 1)
     work = room_to_work(structure, gas.room, len(mechanisms.names), carriers.driven.size, len(joints))
     found = nothing_found(structure, work, n_designs)
     tables = nodes()
@@ -272,10 +274,21 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: CompiledWay) -> 
     )
     if way.asks:
         alike = of_repeats(kinds.numbers, gas.room, gas.numbers)
-        given = (*kinds.numbers, *gas.numbers, gas.room, turning, _wanted(parts, way, n_designs), alike)
-        loop = loaded_loops(written_cycle(structure)).cycle
+        given = {
+            **_by_kind(kinds),
+            **{f"f{place}": one for place, one in enumerate(gas.numbers)},
+            "room": gas.room,
+            "turning": turning,
+            "wanted": _wanted(parts, way, n_designs),
+            "alike": alike,
+            "nodes": tables,
+            "panels": panel_room(tables),
+            "work": work,
+            "found": found,
+        }
+        written = written_cycle(structure)
         with uncollected():
-            loop(0, n_designs, *given, tables, panel_room(tables), work, found)
+            loaded_loops(written).cycle(0, n_designs, *_taken(written.takes, given))
     else:
         found.is_known[:] = True
 
@@ -295,6 +308,16 @@ def _cycles(together: Machine, parts: Any, n_designs: int, way: CompiledWay) -> 
     for kind in way.from_loop:
         run.know(ASKS[kind].made(cycles))
     return cycles
+
+
+def _by_kind(kinds: NumbersOfKinds) -> dict[str, object]:
+    """Numbers of each kind by its name in the source."""
+    return {f"k{place}": one for place, one in enumerate(kinds.numbers)}
+
+
+def _taken(takes: Sequence[str], given: Mapping[str, object]) -> Sequence[object]:
+    """What a written loop takes of what is given, parts of tuples each by itself."""
+    return operator.attrgetter(*takes)(SimpleNamespace(**given))
 
 
 def _each(value: Array, n_designs: int) -> Array:
@@ -321,7 +344,8 @@ def _dead_centres(kinds: NumbersOfKinds, parts: Any, n_designs: int) -> DeadCent
     angle = turn_grid(_LOOKED_AT)
     around = np.stack([angle, np.cos(angle), np.sin(angle)])
     found = np.full((n_designs, len(pistons.names), 2, 2), np.nan)
+    written, given = written_turning(kinds.sources), {**_by_kind(kinds), "around": around, "found": found}
     with uncollected():
-        loaded_loops(written_turning(kinds.sources)).turning_points(0, n_designs, *kinds.numbers, around, found)
+        loaded_loops(written).turning_points(0, n_designs, *_taken(written.takes, given))
     top, bottom = (Extreme(found[:, :, end, :1] - pistons.nominal_top, found[:, :, end, 1:]) for end in range(2))
     return dead_centres_at(top, bottom, pistons, parts[CrankAngle], parts.get(InCylinders))

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from cranktrain.study.cycle.chambers import branch_from, nearer, toward_end
 from cranktrain.study.cycle.curves import branch_lines, fill_lines
-from cranktrain.study.cycle.lines import CRANK, Imports, arguments, indented, member_lines
+from cranktrain.study.cycle.lines import CRANK, Imports, in_names, indented, member_lines, taken_by
 from cranktrain.study.cycle.loops import (
     directions,
     keep_panels,
@@ -29,32 +29,59 @@ from cranktrain.study.cycle.structure import CycleStructure, KindSource, kernels
 
 
 class WrittenLoops(NamedTuple):
-    """Source of a module, and the functions of the package that it calls."""
+    """Source of a module, and the functions of the package that it calls.
+
+    Attributes
+    ----------
+    source : str
+    calls : tuple of functions
+    takes : tuple of str
+        What its loop is given after the first and the last design.
+    """
 
     source: str
     calls: tuple[Callable[..., Any], ...]
+    takes: tuple[str, ...]
 
 
 def written_cycle(structure: CycleStructure) -> WrittenLoops:
     """Write the module whose function `cycle` fills `Found` for designs from `first` up to `last`."""
     imports, called = Imports(), kernels(structure)
+    volume = _volume(structure, imports)
+    lines = _cycle(structure, taken_by(volume), imports)
+    takes = (*taken_by(lines), *(["alike"] if structure.may_repeat else []), "nodes", "panels")
     body = [
         *_kernels(called, (*_PARTS, *_tellers(structure)), imports),
-        *_volume(structure, imports),
+        *_function("@part", "volume_at(design, chamber, angle, {given})", taken_by(volume), volume),
         *branch_lines(structure),
-        *_cycle(structure, imports),
+        *_function("@loop", "cycle(first, last, {given})", takes, lines),
     ]
-    return _put_together(imports, body, called)
+    return WrittenLoops(_put_together(imports, body), tuple(called.values()), takes)
 
 
 def written_turning(kinds: Sequence[KindSource]) -> WrittenLoops:
     """Write the module whose function `turning_points` finds where pistons turn back."""
     imports = Imports()
     called = {f"motion_{place}": one.kind.motion for place, one in enumerate(kinds) if one.has_pistons}
-    return _put_together(imports, [*_kernels(called, (toward_end,), imports), *_turning(kinds, imports)], called)
+    lines = list(_turning(kinds, imports))
+    takes = (*taken_by(lines), "around", "found")
+    loop = _function("@loop", "turning_points(first, last, {given})", takes, lines)
+    source = _put_together(imports, [*_kernels(called, (toward_end,), imports), *loop])
+    return WrittenLoops(source, tuple(called.values()), takes)
 
 
-def _put_together(imports: Imports, body: Sequence[str], called: Mapping[str, Callable[..., Any]]) -> WrittenLoops:
+def _function(how: str, head: str, takes: Sequence[str], lines: Sequence[str]) -> Iterator[str]:
+    """Lines of a function that is given parts of tuples, each by a name of its own."""
+    if not lines:
+        return
+    yield how
+    yield f"def {head.format(given=', '.join(each.replace('.', '_') for each in takes))}:"
+    yield from in_names(lines)
+    yield ""
+    yield ""
+
+
+def _put_together(imports: Imports, body: Sequence[str]) -> str:
     """Put a module together."""
     head = [
         '"""Loops for the structure of a machine; docs/scale."""',
@@ -67,7 +94,7 @@ def _put_together(imports: Imports, body: Sequence[str], called: Mapping[str, Ca
         "from cranktrain.study.cycle.loops import FINEST",
         "",
     ]
-    return WrittenLoops("\n".join([*head, *body, ""]), tuple(called.values()))
+    return "\n".join([*head, *body[:-1]])
 
 
 _PARTS = (branch_from, nearer, cut_cycle, directions, first_chambers, own_edges, push_on, shows, sorted_edges)
@@ -86,12 +113,12 @@ def _kernels(
     yield ""
 
 
-def _volume(structure: CycleStructure, imports: Imports) -> Iterator[str]:
-    """Volume of one chamber with its derivatives."""
-    if not structure.fluids:
-        return
-    yield "@part"
-    yield f"def volume_at(design, chamber, angle, {arguments(structure)}, room):"
+def _volume(structure: CycleStructure, imports: Imports) -> list[str]:
+    """Volume of one chamber with its derivatives; nothing where there is none."""
+    return list(_volume_lines(structure, imports)) if structure.fluids else []
+
+
+def _volume_lines(structure: CycleStructure, imports: Imports) -> Iterator[str]:
     yield "    value, first, second = room.start[design, chamber], 0.0, 0.0"
     yield "    cos, sin = np.cos(angle), np.sin(angle)"
     for place, one in enumerate(structure.kinds):
@@ -108,15 +135,10 @@ def _volume(structure: CycleStructure, imports: Imports) -> Iterator[str]:
         yield "                first -= area * motion.slider.first"
         yield "                second -= area * motion.slider.second"
     yield "    return value, first, second"
-    yield ""
-    yield ""
 
 
 def _turning(kinds: Sequence[KindSource], imports: Imports) -> Iterator[str]:
     """Dead centres of all pistons: the best of some points of the turn, and Newton's method from there."""
-    given = ", ".join(f"k{place}" for place in range(len(kinds)))
-    yield "@loop"
-    yield f"def turning_points(first, last, {given}, around, found):"
     yield "    for design in range(first, last):"
     for place, one in enumerate(kinds):
         if not one.has_pistons:
@@ -147,7 +169,7 @@ def _turning(kinds: Sequence[KindSource], imports: Imports) -> Iterator[str]:
 def _tellers(structure: CycleStructure) -> Iterator[Callable[..., Any]]:
     """What tells the facts that are asked for."""
     yield from (call for ask, call in _TOLD.items() if ask in structure.asks)
-    if structure.is_of_shaft:
+    if structure.may_repeat:
         yield times_repeated
     if structure.needs_inertia:
         yield tell_running
@@ -157,64 +179,72 @@ def _tellers(structure: CycleStructure) -> Iterator[Callable[..., Any]]:
         yield keep_panels
 
 
-def _cycle(structure: CycleStructure, imports: Imports) -> list[str]:
+def _cycle(structure: CycleStructure, of_volume: Sequence[str], imports: Imports) -> list[str]:
     """The loop over designs."""
-    given = arguments(structure)
-    own = f"def cycle(first, last, {given}, room, turning, wanted, alike, nodes, panels, work, found):"
-    gas = _GAS.format(given=given) if structure.fluids else ""
+    gas = _GAS.format(of_volume=", ".join(of_volume)) if structure.fluids else ""
     curves = [curve for ask, curve in _CURVES.items() if ask in structure.asks]
     shown = " and ".join(f"shows({curve}, cut)" for curve in ("work.torque[:1]", *curves))
-    told = [
-        f"                {call.__name__}(design, cut, work, found.{ask})"
-        for ask, call in _TOLD.items()
-        if ask in structure.asks
-    ]
-    known = "True"
-    if structure.needs_inertia:
-        known = "tell_running(design, cut, turning, wanted, work, found)"
-    if "given" in structure.asks:
-        known += " and tell_given(design, cut, turning, wanted, work, found)"
-    if "points" in structure.asks:
-        known += " and keep_panels(design, cut, work, found)"
-    told.append(f"                found.is_known[design] = {known}")
-    repeats = "times_repeated(design, alike, turning.cycle, work.repeats)" if structure.is_of_shaft else "1"
+    repeats = "times_repeated(design, alike, turning.cycle, work.repeats)" if structure.may_repeat else "1"
     return _CYCLE.format(
-        head=own,
-        given=given,
         gas=gas,
         fill="\n".join(indented(fill_lines(structure, imports), 4)),
         shown=shown,
-        told="\n".join(told),
+        told="\n".join(indented(_told(structure), 5)),
         repeats=repeats,
     ).splitlines()
+
+
+def _told(structure: CycleStructure) -> Iterator[str]:
+    """Lines that tell the facts that are asked for, and whether all of them are known."""
+    for ask, call in _TOLD.items():
+        if ask in structure.asks:
+            curves = ", ".join(f"work.{curve}" for curve in _TOLD_OF[ask])
+            yield f"{call.__name__}(cut, {curves}, work.tops, found.{ask}[design])"
+    yield "is_known = True"
+    if structure.needs_inertia:
+        yield "found.work[design], is_known = tell_running("
+        yield "    cut, speed, wanted.inertia[design], wanted.coefficient[design], work.running, work.tops,"
+        yield "    found.running[design], found.flywheel[design],"
+        yield ")"
+    if "given" in structure.asks:
+        yield "is_known = is_known and tell_given("
+        yield "    cut, speed, wanted.coefficient[design], work.running, work.tops, work.speeds, found.flywheel[design]"
+        yield ")"
+    if "points" in structure.asks:
+        yield "if is_known:"
+        yield "    found.n_panels[design] = keep_panels("
+        yield "        cut, work.push, found.panel[design], found.row[design], found.angle[design], found.push[design]"
+        yield "    )"
+        yield "    is_known = found.n_panels[design] > 0"
+    yield "found.is_known[design] = is_known"
 
 
 _CURVES = {"pressure": "work.pressure", "joint": "work.joint_x", "rod": "work.rod[1]"}
 """What has to be shown by the panels, besides the torque, by what is asked."""
 _TOLD = {"torque": tell_torque, "joint": tell_joints, "pressure": tell_chambers, "rod": tell_rods}
 """What tells the facts that are asked for."""
+_TOLD_OF = {"torque": ("torque",), "joint": ("joint_x", "joint_y"), "pressure": ("pressure",), "rod": ("rod",)}
+"""Of which curves."""
 
 _CYCLE = """\
-@loop
-{head}
     for design in range(first, last):
         speed = turning.speed[design]
         n_repeats = {repeats}
+        length = turning.cycle / n_repeats
         first_chambers(n_repeats, work.repeats)
         finer = 1.0
         while finer <= FINEST:
             least, greatest = room.least[design], room.greatest[design]
             n_edges, n_poles = own_edges(least, greatest, turning.cycle, work.repeats.is_first, panels.edge, work.pole)
 {gas}\
-            n_edges = sorted_edges(panels.edge, n_edges, turning.cycle / n_repeats)
+            n_edges = sorted_edges(panels.edge, n_edges, length)
             poles, away = work.pole[:n_poles], work.away[:n_poles]
-            cut = cut_cycle(panels, n_edges, turning.cycle / n_repeats, turning.zero[design], poles, away, finer, nodes)
-            if cut.n_panels > 0:
-                directions(cut, work.cos, work.sin)
+            n_panels, n_points = cut_cycle(panels, n_edges, length, poles, away, finer, nodes)
+            if n_panels > 0:
 {fill}
-            if cut.n_panels > 0 and {shown}:
+                if {shown}:
 {told}
-                break
+                    break
             finer *= 2.0"""
 
 _GAS = """\
@@ -223,7 +253,7 @@ _GAS = """\
                 if not work.repeats.is_first[chamber]:
                     continue
                 top = least[chamber]
-                smallest, _slope, bend = volume_at(design, chamber, top, {given}, room)
+                smallest, _slope, bend = volume_at(design, chamber, top, {of_volume})
                 work.away[place] = np.sqrt(2.0 * smallest / bend)
                 place += 1
                 for kink in range(room.sense.size):
@@ -231,7 +261,7 @@ _GAS = """\
                     if volume > smallest:
                         away = min(np.sqrt(2.0 * (volume - smallest) / bend), 0.75 * np.pi)
                         for _step in range(STEPS):
-                            now, rate, bending = volume_at(design, chamber, top + sense * away, {given}, room)
+                            now, rate, bending = volume_at(design, chamber, top + sense * away, {of_volume})
                             before = away
                             away = nearer(away, sense, now - volume, rate, bending)
                             if abs(away - before) < NEARLY:

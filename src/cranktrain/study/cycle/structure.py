@@ -79,11 +79,14 @@ class CycleStructure:
     asks : frozenset of str
         Of `torque`, `pressure`, `joint`, `rod`, `work`, `flywheel`, what fluctuation that is `given` by it, `running`;
         and `points`, which are to be kept.
+    has_several : bool
+        Whether there is more than one mechanism, so that a cycle may repeat itself.
     """
 
     kinds: tuple[KindSource, ...]
     fluids: tuple[tuple[AnyFluid, Shape], ...]
     asks: frozenset[str]
+    has_several: bool
 
     @property
     def needs_inertia(self) -> bool:
@@ -101,9 +104,9 @@ class CycleStructure:
         return self.needs_inertia or not self.needs_forces
 
     @property
-    def is_of_shaft(self) -> bool:
-        """Whether all that is asked is of the shaft, and nothing of any cylinder or joint."""
-        return self.asks <= _OF_SHAFT
+    def may_repeat(self) -> bool:
+        """Whether a part of the cycle may say all that is asked: of the shaft alone, and of no cylinder or joint."""
+        return self.has_several and self.asks <= _OF_SHAFT
 
 
 def kernels(structure: CycleStructure) -> dict[str, Callable[..., Any]]:

@@ -5,7 +5,7 @@ import pytest
 
 from cranktrain.study.cycle.loops import directions
 from cranktrain.study.cycle.nodes import nodes
-from cranktrain.study.cycle.panels import cut_cycle, panel_room, sorted_edges
+from cranktrain.study.cycle.panels import CutCycle, cut_cycle, panel_room, sorted_edges
 from cranktrain.study.cycle.running import (
     energy_for,
     exact_flywheel,
@@ -27,8 +27,9 @@ class Cut:
         self.panels = panel_room(NODES)
         self.panels.edge[: len(edges)] = edges
         n_edges = sorted_edges(self.panels.edge, len(edges), cycle)
-        self.cut = cut_cycle(self.panels, n_edges, cycle, zero, np.asarray(poles), np.asarray(away), finer, NODES)
-        self.count, self.n_points = self.cut.n_panels, self.cut.n_points
+        counts = cut_cycle(self.panels, n_edges, cycle, np.asarray(poles), np.asarray(away), finer, NODES)
+        self.count, self.n_points = counts
+        self.cut = CutCycle(self.panels, NODES, *counts, cycle, zero)
         self.tops = room_for_tops(np.zeros(len(self.panels.angle)), NODES)
 
     @property
@@ -73,7 +74,7 @@ def test_no_room_for_panels_is_said():
 def test_directions_are_cosine_and_sine():
     own = Cut((0.4, 3.0), 2 * TURN)
     cos, sin = np.zeros((2, own.n_points))
-    directions(own.cut, cos, sin)
+    directions(own.angle, cos, sin)
     np.testing.assert_allclose(cos, np.cos(own.angle), atol=4e-16)
     np.testing.assert_allclose(sin, np.sin(own.angle), atol=4e-16)
 
