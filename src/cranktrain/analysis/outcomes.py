@@ -109,7 +109,9 @@ class StageRun:
         return found
 
 
-def run_stages(stages: Sequence[Stage], parts: Parts, absent: Iterable[str]) -> dict[type, object]:
+def run_stages(
+    stages: Sequence[Stage], parts: Parts, absent: Iterable[str], kept: "KeptOutcomes | None" = None
+) -> dict[type, object]:
     """Run every stage whose needs are met.
 
     Parameters
@@ -120,6 +122,8 @@ def run_stages(stages: Sequence[Stage], parts: Parts, absent: Iterable[str]) -> 
         What the machine declares.
     absent : iterable of str
         Names of outcomes that cannot be had of these, as `lacking` finds it.
+    kept : KeptOutcomes, optional
+        What they gave of others, given again where it is the same.
 
     Returns
     -------
@@ -127,7 +131,7 @@ def run_stages(stages: Sequence[Stage], parts: Parts, absent: Iterable[str]) -> 
     """
     left_out = frozenset(absent)
     there = [one for one in stages if one.outcome not in left_out]
-    run = StageRun(there, parts)
+    run = StageRun(there, parts, kept)
     run.find(one.gives for one in there)
     return {one.gives: run[one.gives] for one in there}
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cranktrain.analysis.blocks import MOST_AT_ONCE
+from cranktrain.analysis.kept_outcomes import KeptOutcomes
 from cranktrain.columns import some_rows
 from cranktrain.errors import InputError, Problem
 from cranktrain.extras import is_there
@@ -70,33 +71,38 @@ def facts_of_starts(
     columns : Machine, optional
         The designs together, where somebody has put them so.
     """
-    gathered = Gathered(len(machines))
+    gathered, kept = Gathered(len(machines)), KeptOutcomes()
     n_left = len(machines) if n_all is None else n_all
     for first in range(0, len(machines), MOST_AT_ONCE):
         say_how_far(partial(_how_far, first, len(machines)))
         block = slice(first, min(first + MOST_AT_ONCE, len(machines)))
         own = None if columns is None else some_rows(columns, block)
         places = range(block.start, block.stop)
-        _add_block(gathered, _Block(places, machines, own), wanted, max(n_left - first, len(places)))
+        _add_block(gathered, _Block(places, machines, own, kept), wanted, max(n_left - first, len(places)))
     return gathered.found()
 
 
 class _Block(NamedTuple):
-    """Designs that are made ready together: which of all, each by itself, and in columns where these are known."""
+    """Designs that are made ready together: which of all, each by itself, and in columns where these are known.
+
+    `kept`: what stages gave of designs of the same machine before.
+    """
 
     places: range
     machines: Sequence[Machine]
     columns: Machine | None
+    kept: KeptOutcomes
 
     def alone(self) -> Iterator["_Block"]:
         """Give each of them."""
-        return (_Block(range(place, place + 1), self.machines, None) for place in self.places)
+        return (_Block(range(place, place + 1), self.machines, None, self.kept) for place in self.places)
 
     def known(self) -> Mapping[type, object]:
         """Find what leads to their starts."""
         if self.columns is None:
-            return over_time_of_designs([self.machines[place] for place in self.places], (ReadyStarts,))
-        return over_time_of_columns(self.columns, len(self.places), (ReadyStarts,))
+            own = [self.machines[place] for place in self.places]
+            return over_time_of_designs(own, (ReadyStarts,), kept=self.kept)
+        return over_time_of_columns(self.columns, len(self.places), (ReadyStarts,), self.kept)
 
 
 def _how_far(done: int, n_starts: int) -> Words:

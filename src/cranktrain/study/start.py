@@ -8,6 +8,7 @@ import numpy as np
 
 from cranktrain.analysis.behind import pipeline
 from cranktrain.analysis.grids import FACTS_STEP
+from cranktrain.analysis.kept_outcomes import KeptOutcomes
 from cranktrain.analysis.outcomes import run_stages
 from cranktrain.analysis.parts import designs_of, parts_of, parts_together, refuse_wrong
 from cranktrain.analysis.stages import lacking, leading_to, stages_over_time
@@ -243,16 +244,24 @@ def over_time(machine: Machine, outcomes: Sequence[type], asked: StartAsked | No
 
 
 def over_time_of_designs(
-    machines: Sequence[Machine], outcomes: Sequence[type], asked: StartAsked | None = None
+    machines: Sequence[Machine],
+    outcomes: Sequence[type],
+    asked: StartAsked | None = None,
+    kept: KeptOutcomes | None = None,
 ) -> Mapping[type, Any]:
-    """As `over_time`, of designs of one machine with which nothing is wrong, and which differ in numbers alone."""
-    return _over_time(machines[0], _parts(machines, asked or StartAsked()), outcomes)
+    """As `over_time`, of designs of one machine with which nothing is wrong, and which differ in numbers alone.
+
+    `kept`: what stages gave of other designs of it; what is the same of these is given again.
+    """
+    return _over_time(machines[0], _parts(machines, asked or StartAsked()), outcomes, kept)
 
 
-def over_time_of_columns(together: Machine, n_designs: int, outcomes: Sequence[type]) -> Mapping[type, Any]:
+def over_time_of_columns(
+    together: Machine, n_designs: int, outcomes: Sequence[type], kept: KeptOutcomes | None = None
+) -> Mapping[type, Any]:
     """The same of designs that stand together in the columns of one machine."""
     laid = parts_together(together, designs_of(together, n_designs), step=FACTS_STEP)
-    return _over_time(together, {**laid, StartAsked: StartAsked()}, outcomes)
+    return _over_time(together, {**laid, StartAsked: StartAsked()}, outcomes, kept)
 
 
 def is_over_time(entry: Entry) -> bool:
@@ -275,9 +284,11 @@ def quantities_of_start(machine: Machine) -> dict[str, Entry]:
     return {entry.name: entry for kind in kinds for entry in entries(kind)}
 
 
-def _over_time(machine: Machine, parts: dict[type, Any], outcomes: Sequence[type]) -> Mapping[type, Any]:
+def _over_time(
+    machine: Machine, parts: dict[type, Any], outcomes: Sequence[type], kept: KeptOutcomes | None = None
+) -> Mapping[type, Any]:
     stages, absent = _stages(machine, parts)
-    return {**parts, **run_stages(leading_to(stages, outcomes), parts, absent)}
+    return {**parts, **run_stages(leading_to(stages, outcomes), parts, absent, kept)}
 
 
 def _stages(machine: Machine, parts: dict[type, Any]) -> tuple[Sequence[Stage], Mapping[str, Sequence[Words]]]:

@@ -11,6 +11,7 @@ from cranktrain.questions.reduction.gear_train import through_stages
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
 
 _N_SPEEDS, _AT_ONCE = 400, 10
+"""Speeds that are looked at; how many at once, of which a first look takes one in so many."""
 _N_ANGLES = 96
 """At which the first guess of the speed looks: the cycle itself does not hang on them."""
 _SLOWEST, _BEYOND = 0.02, 1.3
@@ -25,7 +26,7 @@ class SpeedBalance(NamedTuple):
     Attributes
     ----------
     speeds : Array, shape (n,)
-        Rising; from below the highest balance on, or all that were looked at where there is none. [rad/s]
+        Rising; from below the highest balance on, fewer beyond it; or all where there is none. [rad/s]
     excess : Array, shape (n,)
         [N·m]
     """
@@ -34,13 +35,24 @@ class SpeedBalance(NamedTuple):
     excess: Array
 
     @property
+    def fall(self) -> int | None:
+        """The last place behind which the excess falls through 0; None without one."""
+        falls = np.flatnonzero((self.excess[:-1] > 0) & (self.excess[1:] <= 0))
+        return int(falls[-1]) if falls.size else None
+
+    @property
     def speed(self) -> float | None:
         """Highest speed at which the excess falls through 0; None without one. [rad/s]"""
-        falls = np.flatnonzero((self.excess[:-1] > 0) & (self.excess[1:] <= 0))
-        if falls.size == 0:
+        fall = self.fall
+        if fall is None:
             return None
-        (low, high), (over, under) = self.speeds[falls[-1] :][:2].tolist(), self.excess[falls[-1] :][:2].tolist()
+        (low, high), (over, under) = self.speeds[fall:][:2].tolist(), self.excess[fall:][:2].tolist()
         return low + (high - low) * over / (over - under)
+
+    def with_more(self, between: "SpeedBalance") -> "SpeedBalance":
+        """The same with more speeds between those where it falls, and none below."""
+        beyond = slice((self.fall or 0) + 2, None)
+        return SpeedBalance(*(np.append(own, all_[beyond]) for own, all_ in zip(between, self, strict=True)))
 
 
 def balances(each: Sequence[DriveInTurn], cycle: float) -> list[SpeedBalance]:
@@ -71,11 +83,26 @@ def balances(each: Sequence[DriveInTurn], cycle: float) -> list[SpeedBalance]:
 
 
 def _up_to(turning: DriveInTurn, tops: Array) -> list[SpeedBalance]:
-    """Look from the highest speeds down, shape (design,), some speeds at once, as far as a balance of each."""
+    """Look from the highest speeds down, shape (design,), for a balance between few of them; where none is, at all."""
     speeds = np.linspace(_SLOWEST, _BEYOND, _N_SPEEDS) * tops[:, np.newaxis]
-    excess, found = np.empty((len(tops), 0)), list[SpeedBalance]()
-    for first in range(_N_SPEEDS - _AT_ONCE, -1, -_AT_ONCE):
-        excess = np.append(_mean_work(turning, speeds[:, first : first + _AT_ONCE]), excess, axis=1)
+    few = _downwards(turning, speeds[:, (_N_SPEEDS - 1) % _AT_ONCE :: _AT_ONCE])
+    all_of_them = _downwards(turning, speeds) if any(own.speed is None for own in few) else few
+    falls = [own.fall or 0 for own in few]
+    near = [int(np.searchsorted(own, one.speeds[at])) for own, one, at in zip(speeds, few, falls, strict=True)]
+    between = np.take_along_axis(speeds, np.array(near)[:, np.newaxis] + np.arange(_AT_ONCE + 1), axis=1)
+    closely = zip(between, _mean_work(turning, between), strict=True)
+    return [
+        whole if own.fall is None else own.with_more(SpeedBalance(*more))
+        for own, whole, more in zip(few, all_of_them, closely, strict=True)
+    ]
+
+
+def _downwards(turning: DriveInTurn, speeds: Array) -> list[SpeedBalance]:
+    """Look at rising speeds, shape (design, n), from the highest down, as far as a balance of each."""
+    excess, found = np.empty((len(speeds), 0)), list[SpeedBalance]()
+    for after in range(speeds.shape[1], 0, -_AT_ONCE):
+        first = max(after - _AT_ONCE, 0)
+        excess = np.append(_mean_work(turning, speeds[:, first:after]), excess, axis=1)
         found = [SpeedBalance(*own) for own in zip(speeds[:, first:], excess, strict=True)]
         if all(own.speed is not None for own in found):
             break

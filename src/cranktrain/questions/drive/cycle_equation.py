@@ -15,10 +15,14 @@ _FIRST_STEPS, _LAST_STEPS = 16, 10
 to a cycle, be it one that is just about to vanish, each step at least is half the one before."""
 _SETTLED = 1e-11
 """Of ω²: after such a step of Newton's method the next one is less than rounding."""
+_NEARLY, _ROUNDING = 1e-7, 1e-15
+"""The same where steps shrink so that the next one would be less than rounding; and slopes by differences allow it."""
 _STANDS = 1e-14
 """In parts of the largest ω²: a shaft that is so slow on the way stops within the cycle."""
 _NEAR = 1e-7
 """In parts of ω²: of the difference by which slopes are taken."""
+_GENTLE, _N_TERMS = 0.09, 10
+"""Of slopes by widths: below, so many terms of a series leave less than rounding, as the n-th is aⁿ/n!."""
 _TO_ENDS = to_places(np.array([0.0, 1.0]))
 
 
@@ -91,7 +95,7 @@ def speeds_over_turn(
             moves[design].append(moved[design])
             if not is_known[design] or stands[design]:
                 found[design] = Sought(None, is_over=True)
-            elif moved[design] < _SETTLED:
+            elif _is_settled(moves[design]):
                 own = CyclePieces(*(part[design] for part in mesh))
                 cycle = SpeedOverTurn(
                     own,
@@ -106,6 +110,14 @@ def speeds_over_turn(
                 found[design] = Sought(None, is_over=True)
     is_over = most_steps >= _MOST_STEPS
     return [Sought(None, is_over) if own is None else own for own in found]
+
+
+def _is_settled(moves: list[float]) -> bool:
+    """Whether the next step would be less than rounding: each is as the square of the one before."""
+    last = moves[-1]
+    if last >= _NEARLY or len(moves) == 1:
+        return last < _SETTLED
+    return last < _SETTLED or last * (last / moves[-2]) ** 2 < _ROUNDING
 
 
 def _leads_nowhere(moves: list[float]) -> bool:
@@ -124,16 +136,9 @@ class _LinearCycle(NamedTuple):
 
 def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base: Array) -> _LinearCycle:
     """Solve the equation of a step of Newton's method, of every design."""
-    # Solved for the slopes, each row by its own size: where a is large, as behind a stiff motor, y would lose digits.
     width = mesh.width[..., np.newaxis]
     a, b = (part.reshape(*width.shape[:-1], N_NODES) for part in (slope, rest))
-    size = 1 / (1 + width * np.abs(a))
-    # in one and the same room: of many designs it is too large to be kept near
-    system = (width * a)[..., np.newaxis] * INTEGRALS[:-1]
-    np.subtract(np.eye(N_NODES), system, out=system)
-    system *= size[..., np.newaxis]
-    solved = np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
-    of_start, of_rest = solved[..., 0], solved[..., 1]
+    of_start, of_rest = _slopes_by_start_and_rest(width * a, a, b)
     grows, gains = mesh.width * (of_start @ INTEGRALS[-1]), mesh.width * (of_rest @ INTEGRALS[-1])
     steps = [grows, gains]
     if np.any(mesh.low > -np.inf) or np.any(mesh.high < np.inf):
@@ -146,6 +151,45 @@ def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base
     slopes = of_start * at_start[..., np.newaxis] + of_rest
     found = at_start[..., np.newaxis] + width * (slopes @ INTEGRALS[:-1].T)
     return _LinearCycle(found.reshape(slope.shape), at_start, slopes.reshape(slope.shape), 1 + np.atleast_1d(growth))
+
+
+def _slopes_by_start_and_rest(steepness: Array, a: Array, b: Array) -> tuple[Array, Array]:
+    """Slopes y′ at the nodes of y′ = a y + b: for y = 1 where a piece begins and b = 0; and for y = 0 there.
+
+    `steepness` is a by the width of the piece; all of shape (design, piece, node).
+    """
+    is_gentle = np.max(np.abs(steepness), axis=(1, 2)) < _GENTLE
+    if np.all(is_gentle):
+        return _by_series(steepness, a, b)
+    if not np.any(is_gentle):
+        return _solved(steepness, a, b)
+    found = np.empty((2, *a.shape))
+    for some, way in ((is_gentle, _by_series), (~is_gentle, _solved)):
+        found[:, some] = way(steepness[some], a[some], b[some])
+    return found[0], found[1]
+
+
+def _by_series(steepness: Array, a: Array, b: Array) -> tuple[Array, Array]:
+    """Put what is found into the right side again and again: of gentle slopes some times are enough."""
+    given = np.stack([a, b], axis=2)
+    found, steep = given, steepness[:, :, np.newaxis]
+    for _again in range(_N_TERMS):
+        # designs one by one, as BLAS rounds by how many rows there are
+        found = (found.reshape(len(a), -1, N_NODES) @ INTEGRALS[:-1].T).reshape(given.shape)
+        found *= steep
+        found += given
+    return found[:, :, 0], found[:, :, 1]
+
+
+def _solved(steepness: Array, a: Array, b: Array) -> tuple[Array, Array]:
+    """Solve for the slopes, each row by its own size: where a is large, as of a stiff motor, y would lose digits."""
+    size = 1 / (1 + np.abs(steepness))
+    # in one and the same room: of many designs it is too large to be kept near
+    system = steepness[..., np.newaxis] * INTEGRALS[:-1]
+    np.subtract(np.eye(N_NODES), system, out=system)
+    system *= size[..., np.newaxis]
+    solved = np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
+    return solved[..., 0], solved[..., 1]
 
 
 def _repeated(grow: Iterable[Any], gain: Iterable[Any]) -> tuple[list[Any], Any]:
