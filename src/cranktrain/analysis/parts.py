@@ -109,6 +109,8 @@ def differences(machines: Sequence[Machine]) -> Iterator[Problem]:
     for n, machine in enumerate(machines[1:], start=2):
         # what designs share needs no look
         tables = tuple(name for name, table in own.items() if not _are_alike(table, getattr(machine, name)))
+        if not tables and machine.cycle == cycle:
+            continue
         one, other = of_first(tables), dict(_structure_of(machine, tables))
         paths = [] if one == other else [path for path in {**one, **other} if one.get(path) != other.get(path)]
         if not paths and machine.cycle != cycle:
@@ -125,8 +127,13 @@ def _are_alike(one: object, other: object) -> bool:
     if type(one) is not type(other):
         return False
     if isinstance(one, Spec):
-        names = (name for name in type(one).model_fields if name != "name" and name not in one.of_file)
-        return all(_are_alike(getattr(one, name), getattr(other, name)) for name in names)
+        # most fields of most tables are one and the same, or nothing
+        own, others = vars(one), vars(other)
+        return all(
+            own[name] is others[name] or _are_alike(own[name], others[name])
+            for name in type(one).model_fields
+            if name != "name" and name not in one.of_file
+        )
     if isinstance(one, Mapping):
         named, others = cast("Mapping[str, object]", one), cast("Mapping[str, object]", other)
         return named.keys() == others.keys() and all(_are_alike(value, others[name]) for name, value in named.items())

@@ -138,7 +138,8 @@ def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base
     """Solve the equation of a step of Newton's method, of every design."""
     width = mesh.width[..., np.newaxis]
     a, b = (part.reshape(*width.shape[:-1], N_NODES) for part in (slope, rest))
-    of_start, of_rest = _slopes_by_start_and_rest(width * a, a, b)
+    solved = _slopes_by_start_and_rest(width * a, a, b)
+    of_start, of_rest = solved[..., 0], solved[..., 1]
     grows, gains = mesh.width * (of_start @ INTEGRALS[-1]), mesh.width * (of_rest @ INTEGRALS[-1])
     steps = [grows, gains]
     if np.any(mesh.low > -np.inf) or np.any(mesh.high < np.inf):
@@ -153,23 +154,24 @@ def _linear_cycle(slope: Array, rest: Array, now: Array, mesh: CyclePieces, base
     return _LinearCycle(found.reshape(slope.shape), at_start, slopes.reshape(slope.shape), 1 + np.atleast_1d(growth))
 
 
-def _slopes_by_start_and_rest(steepness: Array, a: Array, b: Array) -> tuple[Array, Array]:
+def _slopes_by_start_and_rest(steepness: Array, a: Array, b: Array) -> Array:
     """Slopes y′ at the nodes of y′ = a y + b: for y = 1 where a piece begins and b = 0; and for y = 0 there.
 
-    `steepness` is a by the width of the piece; all of shape (design, piece, node).
+    `steepness` is a by the width of the piece; all of shape (design, piece, node), what is found (…, 2), in one and
+    the same order in memory whichever way: sums of products hang on it.
     """
     is_gentle = np.max(np.abs(steepness), axis=(1, 2)) < _GENTLE
     if np.all(is_gentle):
         return _by_series(steepness, a, b)
     if not np.any(is_gentle):
         return _solved(steepness, a, b)
-    found = np.empty((2, *a.shape))
+    found = np.empty((*a.shape, 2))
     for some, way in ((is_gentle, _by_series), (~is_gentle, _solved)):
-        found[:, some] = way(steepness[some], a[some], b[some])
-    return found[0], found[1]
+        found[some] = way(steepness[some], a[some], b[some])
+    return found
 
 
-def _by_series(steepness: Array, a: Array, b: Array) -> tuple[Array, Array]:
+def _by_series(steepness: Array, a: Array, b: Array) -> Array:
     """Put what is found into the right side again and again: of gentle slopes some times are enough."""
     given = np.stack([a, b], axis=2)
     found, steep = given, steepness[:, :, np.newaxis]
@@ -178,18 +180,17 @@ def _by_series(steepness: Array, a: Array, b: Array) -> tuple[Array, Array]:
         found = (found.reshape(len(a), -1, N_NODES) @ INTEGRALS[:-1].T).reshape(given.shape)
         found *= steep
         found += given
-    return found[:, :, 0], found[:, :, 1]
+    return np.moveaxis(found, 2, -1).copy()
 
 
-def _solved(steepness: Array, a: Array, b: Array) -> tuple[Array, Array]:
+def _solved(steepness: Array, a: Array, b: Array) -> Array:
     """Solve for the slopes, each row by its own size: where a is large, as of a stiff motor, y would lose digits."""
     size = 1 / (1 + np.abs(steepness))
     # in one and the same room: of many designs it is too large to be kept near
     system = steepness[..., np.newaxis] * INTEGRALS[:-1]
     np.subtract(np.eye(N_NODES), system, out=system)
     system *= size[..., np.newaxis]
-    solved = np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
-    return solved[..., 0], solved[..., 1]
+    return np.asarray(np.linalg.solve(system, np.stack([size * a, size * b], axis=-1)), dtype=np.float64)
 
 
 def _repeated(grow: Iterable[Any], gain: Iterable[Any]) -> tuple[list[Any], Any]:

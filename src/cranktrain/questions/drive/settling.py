@@ -1,6 +1,6 @@
 """Steady running on pieces that end where anything jumps or has a corner, found from the running itself."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from operator import itemgetter
 
 import numpy as np
@@ -10,9 +10,9 @@ from cranktrain.grouping import grouped
 from cranktrain.motion import Array
 from cranktrain.questions.drive.balanced_speed import balances
 from cranktrain.questions.drive.cycle_equation import speed_over_turn, speeds_over_turn
-from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, passings
+from cranktrain.questions.drive.steady_cycle import SpeedOverTurn, cycles_together, passings
 from cranktrain.questions.drive.steady_turn import DriveInTurn, together
-from cranktrain.questions.reduction.at_angles import reduced_of_each
+from cranktrain.questions.reduction.at_angles import reduced_of_each, structure_of
 from cranktrain.questions.reduction.cycle_pieces import (
     NODES,
     CyclePieces,
@@ -45,7 +45,7 @@ _ASIDE = 1e-9
 _JUMP = 1e-6
 """Of the torque: less across a corner is no jump."""
 _NOWHERE = np.empty(0)
-_AT_ONCE = 32
+_AT_ONCE = 64
 """Designs that are computed together: the curves of more are too long to be kept near."""
 _STEPS_TOGETHER = 8
 """Of Newton's method: what takes more of them is sought alone."""
@@ -83,7 +83,7 @@ def all_settled(
     certain torques and speeds: found from it, and it anew with them, until they stand. Pieces on which the equation
     of motion is missed between the nodes are cut.
     """
-    ways = [_Way(one, mesh) for one, mesh in zip(each, _meshes(each, machines), strict=True)]
+    ways = list(_ways(each, machines))
     for way, speed in zip(ways, held, strict=True):
         if way.turning.is_held:
             way.turning = way.turning.at(way.mesh.nodes)
@@ -104,28 +104,34 @@ def all_settled(
 class _Way:
     """A design on the way to its steady cycle: its motor's corners [rad/s]; those of its running, and cuts. [rad]"""
 
-    def __init__(self, turning: DriveInTurn, mesh: CyclePieces) -> None:
-        self.turning, self.mesh = turning, mesh
+    def __init__(self, turning: DriveInTurn, mesh: CyclePieces, structure: Hashable, corner_speeds: Array) -> None:
+        self.turning, self.mesh, self.structure = turning, mesh, structure
         self.found: SpeedOverTurn | None = None
-        self.corner_speeds = _corner_speeds(turning)
+        self.corner_speeds = corner_speeds
         self.kinks, self.passed, self.cuts = _NOWHERE, _NOWHERE, _NOWHERE
         self.n_with_kinks = 0
 
 
-def _meshes(each: Sequence[DriveInTurn], machines: ReducedMachines) -> Iterator[CyclePieces]:
-    """Meshes that end at the corners of loads, made once where these are the same."""
-    made = dict[bytes, CyclePieces]()
+def _ways(each: Sequence[DriveInTurn], machines: ReducedMachines) -> Iterator[_Way]:
+    """Designs on meshes that end at the corners of loads; what many have in common is found once."""
+    meshes, structures, corners = dict[bytes, CyclePieces](), dict[int, Hashable](), dict[int, Array]()
     for one in each:
-        corners = machines.corners[one.design]
-        key = corners.tobytes()
-        if key not in made:
-            made[key] = mesh_of(machines.cycle, corners)
-        yield made[key]
+        of_loads = machines.corners[one.design]
+        key, machine, motor = of_loads.tobytes(), id(one.machine), id(one.motor)
+        if key not in meshes:
+            meshes[key] = mesh_of(machines.cycle, of_loads)
+        if machine not in structures:
+            structures[machine] = structure_of(one.machine)
+        if motor not in corners:
+            corners[motor] = one.motor.corner_speeds(0)
+        at_motor = corners[motor]
+        at_crank = at_motor[at_motor > 0] / overall_ratio(one.gearing)
+        yield _Way(one, meshes[key], (structures[machine], *one.structure), at_crank)
 
 
 def _alike(ways: Sequence[_Way]) -> Iterator[list[_Way]]:
     """Designs that can stand together, on as many pieces each: some at a time, as many as a processor holds near."""
-    for own in grouped(((way.mesh.start.size, way.turning.structure), way) for way in ways).values():
+    for own in grouped(((way.mesh.start.size, way.structure), way) for way in ways).values():
         yield from (own[first : first + _AT_ONCE] for first in range(0, len(own), _AT_ONCE))
 
 
@@ -162,11 +168,12 @@ def _with_other_meshes(alike: Sequence[_Way], machines: ReducedMachines) -> list
     """Those whose corners do not stand yet, or whose pieces are cut, each on its next mesh."""
     found = [way.found for way in alike if way.found is not None]
     turning = together([way.turning for way in alike])
-    outputs = turning.passed(np.stack([one.speed for one in found])).outputs
+    outputs = turning.passed(cycles_together(found).speed).outputs
     unsettled, standing = list[_Way](), list[_Way]()
-    for way, own, passed_on in zip(alike, found, np.moveaxis(outputs, 1, 0), strict=True):
+    passed = passings(found, [0.5 * way.corner_speeds**2 for way in alike])
+    for way, kinks, own in zip(alike, _kinks(np.moveaxis(outputs, 1, 0), found), passed, strict=True):
         before = way.kinks, way.passed
-        way.kinks, way.passed = _kinks(passed_on, own), passings(own, 0.5 * way.corner_speeds**2)
+        way.kinks, way.passed = kinks, own
         are_kinks_known = way.n_with_kinks >= _MOST_FOR_KINKS or _stand(
             before[0], way.kinks, machines.cycle, _SAME_KINK
         )
@@ -207,19 +214,13 @@ def missed_motion(turning: Sequence[DriveInTurn], found: Sequence[SpeedOverTurn]
     Of designs of one structure with as many pieces each, shape (design, piece).
     docs/theory/reduced-machine, eq. (31.6).
     """
-    at_nodes = together(turning)
-    there = together(turning, np.stack([one.mesh.at(_BETWEEN) for one in found]))
-    speed = np.stack([np.sqrt(2 * (one.base + np.ravel(one.grown(_TO_BETWEEN)))) for one in found])
-    slopes = [np.ravel(one.acceleration.reshape(-1, NODES.size) @ _SLOPE_BETWEEN.T) for one in found]
-    left = np.abs(there.left_over(speed, np.stack(slopes))).reshape(len(found), -1, _BETWEEN.size)
-    largest = at_nodes.torque_size(np.stack([one.speed for one in found]))
+    at_nodes, cycles = together(turning), cycles_together(found)
+    there = together(turning, cycles.mesh.at(_BETWEEN))
+    speed = np.sqrt(2 * (cycles.base + cycles.grown(_TO_BETWEEN).reshape(len(found), -1)))
+    slopes = (cycles.acceleration.reshape(len(found), -1, NODES.size) @ _SLOPE_BETWEEN.T).reshape(speed.shape)
+    left = np.abs(there.left_over(speed, slopes)).reshape(len(found), -1, _BETWEEN.size)
+    largest = at_nodes.torque_size(cycles.speed)
     return np.max(left, axis=-1) / largest[:, np.newaxis]
-
-
-def _corner_speeds(turning: DriveInTurn) -> Array:
-    """Speeds of the crank at which the motor's law has a corner. [rad/s]"""
-    speeds = turning.motor.corner_speeds(0)
-    return speeds[speeds > 0] / overall_ratio(turning.gearing)
 
 
 def _jumps(turning: DriveInTurn, speeds: Array) -> Array:
@@ -232,6 +233,8 @@ def _stand(before: Array, now: Array, cycle: float, same: float) -> bool:
     """Whether corners stand where they stood."""
     if before.size != now.size:
         return False
+    if now.size == 0:
+        return True
     apart = np.abs(np.sort(np.mod(before, cycle)) - np.sort(np.mod(now, cycle)))
     return bool(np.all(np.minimum(apart, cycle - apart) < same))
 
@@ -267,9 +270,16 @@ def _from_heavier(turning: DriveInTurn, mesh: CyclePieces, first: float) -> Spee
     return found
 
 
-def _kinks(outputs: Array, found: SpeedOverTurn) -> Array:
-    """Crank angles at which a stage's torque changes its sign, (stage, n): there the losses have a kink. [rad]"""
-    nodes = found.mesh.nodes
-    row, place = np.nonzero(np.sign(outputs[:, :-1]) * np.sign(outputs[:, 1:]) < 0)
-    low, high = outputs[row, place], outputs[row, place + 1]
-    return nodes[place] + (nodes[place + 1] - nodes[place]) * low / (low - high)
+def _kinks(outputs: Array, found: Sequence[SpeedOverTurn]) -> Iterator[Array]:
+    """Crank angles at which a stage's torque changes its sign, (design, stage, n): there the losses have a kink. [rad]
+
+    Of each design.
+    """
+    changes = np.sign(outputs[..., :-1]) * np.sign(outputs[..., 1:]) < 0
+    for of_stages, own, has_some, one in zip(outputs, changes, np.any(changes, axis=(1, 2)).tolist(), found, strict=True):
+        if not has_some:
+            yield _NOWHERE
+            continue
+        nodes, (row, place) = one.mesh.nodes, np.nonzero(own)
+        low, high = of_stages[row, place], of_stages[row, place + 1]
+        yield nodes[place] + (nodes[place + 1] - nodes[place]) * low / (low - high)

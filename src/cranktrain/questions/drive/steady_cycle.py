@@ -1,6 +1,7 @@
 """The steady cycle of a machine with its motor: the speed over the crank angle with which a cycle ends as it began."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 from cranktrain.motion import Array
 from cranktrain.numerics.products import product
 from cranktrain.numerics.roots import bracketed_roots
-from cranktrain.questions.reduction.cycle_pieces import N_NODES, CyclePieces, to_integrals
+from cranktrain.questions.reduction.cycle_pieces import N_NODES, CyclePieces, pieces_together, to_integrals
 from cranktrain.record import record
 
 _TRIED = np.linspace(1e-9, 1 - 1e-9, 129)
@@ -63,8 +64,7 @@ class SpeedOverTurn:
 
     def grown(self, integrals: Array) -> Array:
         """ω²/2 less the base at places of every piece, by `to_integrals`, shape (piece, place). [rad²/s²]"""
-        slopes = self.acceleration.reshape(-1, N_NODES)
-        return self.at_start[:, np.newaxis] + self.mesh.width[:, np.newaxis] * product(slopes, integrals.T)
+        return _grown(self.at_start, self.mesh.width, self.acceleration, integrals)
 
     def in_piece(self, piece: NDArray[np.intp], place: Array) -> Array:
         """ω²/2 less the base at a place 0…1 of a piece, shapes (n,). [rad²/s²]"""
@@ -77,6 +77,42 @@ class SpeedOverTurn:
         along = np.mod(angle - start[0], np.sum(width)) + start[0]
         piece = np.asarray(np.searchsorted(start[1:], along, side="right"), dtype=np.intp)
         return np.sqrt(2 * (self.base + self.in_piece(piece, (along - start[piece]) / width[piece])))
+
+
+class CyclesTogether(NamedTuple):
+    """Cycles of designs on as many pieces each, as of `SpeedOverTurn`; every array begins with the design."""
+
+    mesh: CyclePieces
+    base: Array
+    departure: Array
+    at_start: Array
+    acceleration: Array
+
+    @property
+    def speed(self) -> Array:
+        """At the nodes, shape (design, piece · node). [rad/s]"""
+        return np.sqrt(2 * (self.base + self.departure))
+
+    def grown(self, integrals: Array) -> Array:
+        """As of each, shape (design, piece, place)."""
+        return _grown(self.at_start, self.mesh.width, self.acceleration, integrals)
+
+
+def cycles_together(found: Sequence[SpeedOverTurn]) -> CyclesTogether:
+    """Cycles on as many pieces each."""
+    return CyclesTogether(
+        pieces_together([one.mesh for one in found]),
+        np.array([[one.base] for one in found]),
+        np.stack([one.departure for one in found]),
+        np.stack([one.at_start for one in found]),
+        np.stack([one.acceleration for one in found]),
+    )
+
+
+def _grown(at_start: Array, width: Array, acceleration: Array, integrals: Array) -> Array:
+    """ω²/2 less the base at places of every piece, shape (..., piece, place). [rad²/s²]"""
+    slopes = acceleration.reshape(*width.shape, N_NODES)
+    return at_start[..., np.newaxis] + width[..., np.newaxis] * product(slopes, integrals.T)
 
 
 def largest_over_turn(found: SpeedOverTurn, curve: Callable[[Array, Array], Array]) -> float:
@@ -116,24 +152,28 @@ def speed_range(found: SpeedOverTurn) -> float:
     return _top(beyond) + _top(-beyond)
 
 
-def passings(found: SpeedOverTurn, levels: Array) -> Array:
-    """Crank angles at which ω²/2 passes any of some levels, to rounding, in their order.
+def passings(found: Sequence[SpeedOverTurn], levels: Sequence[Array]) -> Iterator[Array]:
+    """Crank angles at which ω²/2 passes any of some levels, to rounding, in their order, of each design.
 
     Parameters
     ----------
-    found : SpeedOverTurn
-    levels : Array, shape (n,)
+    found : sequence of SpeedOverTurn
+        On as many pieces each.
+    levels : sequence of Array, shape (n,)
         [rad²/s²]
 
-    Returns
-    -------
+    Yields
+    ------
     Array, shape (k,)
         [rad]
     """
-    curve = found.base + found.grown(_TO_LOOKED)
-    own = levels[(levels > np.min(curve)) & (levels < np.max(curve))]
-    each = [_passings(found, curve - level, level) for level in own.tolist()]
-    return np.sort(np.concatenate(each)) if each else np.empty(0)
+    cycles = cycles_together(found)
+    curves = cycles.base[..., np.newaxis] + cycles.grown(_TO_LOOKED)
+    least, most = np.min(curves, axis=(1, 2)).tolist(), np.max(curves, axis=(1, 2)).tolist()
+    for one, curve, low, high, of_one in zip(found, curves, least, most, levels, strict=True):
+        own = [level for level in of_one.tolist() if low < level < high]
+        each = [_passings(one, curve - level, level) for level in own]
+        yield np.sort(np.concatenate(each)) if each else np.empty(0)
 
 
 def _passings(found: SpeedOverTurn, over: Array, level: float) -> Array:

@@ -1,6 +1,6 @@
 """A machine, its motor and its gearing as they turn forward."""
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +14,6 @@ from cranktrain.questions.reduction.at_angles import (
     reduced_at,
     reduced_of_each,
     reduced_together,
-    structure_of,
 )
 from cranktrain.questions.reduction.gear_train import Passed, gearings_together, through_stages, torque_through
 from cranktrain.transient.gearing import Gearing, overall_ratio, turning_inertia
@@ -96,10 +95,9 @@ class DriveInTurn(NamedTuple):
         return self._replace(here=reduced_at(self.machine, angle))
 
     @property
-    def structure(self) -> Hashable:
-        """What designs have in common that can stand together, of motors of one law."""
-        is_reversible = bool(np.all(self.gearing.backward > 0))
-        return structure_of(self.machine), len(self.gearing.ratio), is_reversible, self.is_held
+    def structure(self) -> tuple[int, bool, bool]:
+        """What designs have in common that can stand together, of motors of one law and machines of one structure."""
+        return len(self.gearing.ratio), bool(np.all(self.gearing.backward > 0)), self.is_held
 
 
 def together(each: Sequence[DriveInTurn], angle: Array | None = None) -> DriveInTurn:

@@ -1,6 +1,7 @@
 """A reduced machine at many crank angles at once, as it turns forward through its cycle."""
 
 from collections.abc import Callable, Hashable, Iterator, Sequence
+from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -112,12 +113,19 @@ def reduced_of_each(each: Sequence[ReducedMachine], angle: Array) -> ReducedAt:
         places.setdefault((id(machine), own.tobytes()), len(places)) for machine, own in zip(each, angle, strict=True)
     ]
     first = [which.index(place) for place in range(len(places))]
-    found = reduced_at(machines_together([each[place] for place in first]), angle[first])
-    if len(first) == len(each):
-        return found
-    if len(first) == 1:
+    if len(first) == 1 < len(each):
+        key = tuple((part.shape, part.tobytes()) for part in map(np.asarray, each[0]))
+        found = _of_one(key, angle[0].tobytes())
         return found.changed(lambda curve: np.broadcast_to(curve, angle.shape))
-    return found.changed(lambda curve: curve[which])
+    found = reduced_at(machines_together([each[place] for place in first]), angle[first])
+    return found if len(first) == len(each) else found.changed(lambda curve: curve[which])
+
+
+@lru_cache(maxsize=8)
+def _of_one(machine: tuple[tuple[tuple[int, ...], bytes], ...], angle: bytes) -> ReducedAt:
+    """A machine by its numbers at crank angles: of many designs, some after others, they are the same. (1, n)"""
+    own = ReducedMachine(*(np.frombuffer(numbers).reshape(shape) for shape, numbers in machine))
+    return reduced_at(machines_together([own]), np.frombuffer(angle)[np.newaxis])
 
 
 def structure_of(machine: ReducedMachine) -> Hashable:

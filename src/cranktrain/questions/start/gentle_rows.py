@@ -1,5 +1,7 @@
 """Rows of a long load curve that are next to no corners: steps may pass over some of them."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from cranktrain.motion import Array
@@ -36,6 +38,13 @@ def corners_and_rows(angles: Array, misses: Array, cycle: float, tolerance: floa
     -----
     docs/theory/transient, eq. (26.15).
     """
+    return _parted(angles.tobytes(), misses.tobytes(), cycle, tolerance)
+
+
+@lru_cache(maxsize=64)
+def _parted(angles_in_bytes: bytes, misses_in_bytes: bytes, cycle: float, tolerance: float) -> tuple[Array, Array]:
+    """The same of their bytes: many starts have the same."""
+    angles, misses = np.frombuffer(angles_in_bytes), np.frombuffer(misses_in_bytes)
     happens = np.isfinite(angles)
     within = np.mod(angles[happens] + _SAME, cycle) - _SAME
     order = np.argsort(within)
