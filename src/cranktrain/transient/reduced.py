@@ -96,8 +96,9 @@ class ReducedMachine(NamedTuple):
     curves : Array, shape (piece, `CURVE_WIDTH`)
         Of loads by a curve: where a piece of it begins, how wide it is [rad], and its polynomial as in `pieces`.
     chambers : Array, shape (chamber, field of `ReducedChamber`)
-    memory : Array, shape (chamber, 2)
-        Of each chamber p·Vⁿ, and n.
+    memory : Array, shape (chamber, 4)
+        Of each chamber p·Vⁿ, and n; from which volume on its gas is at the suction's pressure, and up to which at the
+        discharge's. [m³]
     """
 
     pieces: Any
@@ -113,7 +114,10 @@ _N_PIECES, _WIDTH, _N_LOADS, _N_CHAMBERS, _PIECES, _LOADS, _POINTS, _CURVES, _CH
 _HEAD = 10
 _OUT, _BACK = 1, 2
 """Columns of points: sizes on the way out, and back."""
-_N_FIELDS, _N_POINT, _N_CHAMBER, _N_HELD = len(ReducedLoad._fields), 3, len(ReducedChamber._fields), 2
+N_HELD = 4
+"""Numbers that a chamber remembers."""
+_CONSTANT, _EXPONENT, _DRAWS, _DELIVERS = range(N_HELD)
+_N_FIELDS, _N_POINT, _N_CHAMBER = len(ReducedLoad._fields), 3, len(ReducedChamber._fields)
 
 
 def in_one_row(machine: ReducedMachine) -> Array:
@@ -148,9 +152,9 @@ def reduced_machine(angle: float, speed: float, sense: float, numbers: Any) -> A
         load = int(numbers[_LOADS]) + at * _N_FIELDS
         torque -= _load_torque(numbers, load, row, x, angle, speed, sense)
     for at in range(int(numbers[_N_CHAMBERS])):
-        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
+        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * N_HELD
         volume, by_x = value_and_slope(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
-        pressure, _, _ = _gas_in(numbers, chamber, numbers[held], numbers[held + 1], volume)
+        pressure = _pressure_in(numbers, chamber, held, volume)
         torque -= (pressure - numbers[chamber + AMBIENT]) * by_x * by_angle
     return inertia, slope * by_angle, torque, value_of(numbers, row + OUTPUT * (DEGREE + 1), x)
 
@@ -165,31 +169,31 @@ def settle(angle: float, numbers: Any) -> None:
     """Let every chamber remember its gas as it is at a crank angle. [rad]"""
     row, x, _ = place_of(angle, numbers)
     for at in range(int(numbers[_N_CHAMBERS])):
-        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
+        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * N_HELD
         volume = value_of(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
-        _, constant, exponent = _gas_in(numbers, chamber, numbers[held], numbers[held + 1], volume)
-        numbers[held] = constant
-        numbers[held + 1] = exponent
+        if volume >= numbers[held + _DRAWS]:
+            _remember(numbers, chamber, held, numbers[chamber + SUCTION], numbers[chamber + COMPRESSION], volume)
+        elif volume <= numbers[held + _DELIVERS]:
+            _remember(numbers, chamber, held, numbers[chamber + DISCHARGE], numbers[chamber + EXPANSION], volume)
 
 
 def filled_at(angle: float, numbers: Any, pressure: float = math.nan) -> None:
     """Fill every chamber with gas at a pressure [Pa]; unless given at its suction's, as after running unloaded."""
     row, x, _ = place_of(angle, numbers)
     for at in range(int(numbers[_N_CHAMBERS])):
-        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
+        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * N_HELD
         volume = value_of(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
         filled = numbers[chamber + SUCTION] if math.isnan(pressure) else pressure
-        numbers[held] = filled * volume ** numbers[chamber + COMPRESSION]
-        numbers[held + 1] = numbers[chamber + COMPRESSION]
+        _remember(numbers, chamber, held, filled, numbers[chamber + COMPRESSION], volume)
 
 
 def pressures_at(angle: float, numbers: Any, pressures: Any, column: int) -> None:
     """Write the absolute pressure of every chamber at a crank angle, by what it remembers, into a column. [rad, Pa]"""
     row, x, _ = place_of(angle, numbers)
     for at in range(int(numbers[_N_CHAMBERS])):
-        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * _N_HELD
+        chamber, held = int(numbers[_CHAMBERS]) + at * _N_CHAMBER, int(numbers[_MEMORY]) + at * N_HELD
         volume = value_of(numbers, row + int(numbers[chamber + VOLUME]) * (DEGREE + 1), x)
-        pressures[at, column] = _gas_in(numbers, chamber, numbers[held], numbers[held + 1], volume)[0]
+        pressures[at, column] = _pressure_in(numbers, chamber, held, volume)
 
 
 def place_of(angle: float, numbers: Any) -> Any:
@@ -207,16 +211,21 @@ def place_of(angle: float, numbers: Any) -> Any:
     return row, 2 * (along - piece) - 1, n_pieces / math.pi
 
 
-def _gas_in(numbers: Any, chamber: int, constant: float, exponent: float, volume: float) -> Any:
-    """Pressure [Pa] in a chamber that remembers p·Vⁿ and n, and what it then remembers. Eq. (31.5)"""
-    pressure = constant * volume**-exponent
-    if pressure < numbers[chamber + SUCTION]:
-        pressure, exponent = numbers[chamber + SUCTION], numbers[chamber + COMPRESSION]
-    elif pressure > numbers[chamber + DISCHARGE]:
-        pressure, exponent = numbers[chamber + DISCHARGE], numbers[chamber + EXPANSION]
-    else:
-        return pressure, constant, exponent
-    return pressure, pressure * volume**exponent, exponent
+def _pressure_in(numbers: Any, chamber: int, held: int, volume: float) -> float:
+    """Pressure in a chamber that remembers its gas, by no power where a valve is open. Eq. (31.5) [Pa]"""
+    if volume >= numbers[held + _DRAWS]:
+        return numbers[chamber + SUCTION]
+    if volume <= numbers[held + _DELIVERS]:
+        return numbers[chamber + DISCHARGE]
+    return numbers[held + _CONSTANT] * volume ** -numbers[held + _EXPONENT]
+
+
+def _remember(numbers: Any, chamber: int, held: int, pressure: float, exponent: float, volume: float) -> None:
+    """Let a chamber remember gas at a pressure in a volume, with the exponent by which that changes from there."""
+    numbers[held + _CONSTANT] = pressure * volume**exponent
+    numbers[held + _EXPONENT] = exponent
+    numbers[held + _DRAWS] = volume * (pressure / numbers[chamber + SUCTION]) ** (1.0 / exponent)
+    numbers[held + _DELIVERS] = volume * (pressure / numbers[chamber + DISCHARGE]) ** (1.0 / exponent)
 
 
 def value_of(numbers: Any, first: int, x: float) -> float:

@@ -30,6 +30,7 @@ from cranktrain.transient.reduced import (
     BY_TRAVEL,
     CURVE_WIDTH,
     DEGREE,
+    N_HELD,
     ReducedChamber,
     ReducedLoad,
     ReducedMachine,
@@ -284,7 +285,7 @@ def _chambers(
                     smallest=smallest,
                 )
             )
-    return _table(rows, len(ReducedChamber._fields)), np.zeros((len(rows), 2))
+    return _table(rows, len(ReducedChamber._fields)), np.zeros((len(rows), N_HELD))
 
 
 def _only(number: Array) -> float:
