@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cranktrain.motion import Array
 from cranktrain.questions.drive.steady_turn import DriveInTurn, together
@@ -37,7 +38,7 @@ class SpeedBalance(NamedTuple):
     @property
     def fall(self) -> int | None:
         """The last place behind which the excess falls through 0; None without one."""
-        falls = np.flatnonzero((self.excess[:-1] > 0) & (self.excess[1:] <= 0))
+        falls = np.flatnonzero(_falls(self.excess))
         return int(falls[-1]) if falls.size else None
 
     @property
@@ -99,14 +100,16 @@ def _up_to(turning: DriveInTurn, tops: Array) -> list[SpeedBalance]:
 
 def _downwards(turning: DriveInTurn, speeds: Array) -> list[SpeedBalance]:
     """Look at rising speeds, shape (design, n), from the highest down, as far as a balance of each."""
-    excess, found = np.empty((len(speeds), 0)), list[SpeedBalance]()
-    for after in range(speeds.shape[1], 0, -_AT_ONCE):
-        first = max(after - _AT_ONCE, 0)
+    excess, first = np.empty((len(speeds), 0)), speeds.shape[1]
+    while first > 0 and not np.all(np.any(_falls(excess), axis=1)):
+        after, first = first, max(first - _AT_ONCE, 0)
         excess = np.append(_mean_work(turning, speeds[:, first:after]), excess, axis=1)
-        found = [SpeedBalance(*own) for own in zip(speeds[:, first:], excess, strict=True)]
-        if all(own.speed is not None for own in found):
-            break
-    return found
+    return [SpeedBalance(*own) for own in zip(speeds[:, first:], excess, strict=True)]
+
+
+def _falls(excess: Array) -> NDArray[np.bool_]:
+    """Whether what drives falls through 0 behind a speed, shape (..., n) → (..., n − 1)."""
+    return (excess[..., :-1] > 0) & (excess[..., 1:] <= 0)
 
 
 def _end(turning: DriveInTurn, first: float) -> Array:
