@@ -1,4 +1,4 @@
-"""Starts of designs with one machine and one motor, one behind the other in a compiled loop, and their samples in rows.
+"""Starts of designs with one motor, one behind the other in a compiled loop, and their samples in rows.
 
 Each is run, and looked at, as `starting` does it with one alone: of both every number is the same to the last bit.
 """
@@ -32,7 +32,9 @@ from cranktrain.questions.start.rows_of_designs import (
     LEFT_OVER,
     MOST_MARKS,
     MOTOR,
+    N_CORNERS,
     N_MARKS,
+    N_ROWS,
     N_SAMPLES,
     N_STEPS,
     OFF,
@@ -196,7 +198,8 @@ def asked_of(given: Any, design: int, room: Any, part: Any, n_samples: int) -> W
     )
     samples = room.within[: samples_within(room, n_samples, began, ends)]
     breaks = room.breaks[: breaks_within(given.breaks[design], room.breaks, began, ends)]
-    return Wanted(room.start, limits, samples, breaks, given.corners, given.cycle, given.rows)
+    corners, rows = given.corners[design][: int(own[N_CORNERS])], given.rows[design][: int(own[N_ROWS])]
+    return Wanted(room.start, limits, samples, breaks, corners, given.cycle, rows)
 
 
 def note_part(room: Any, which: int, marks: Any, first_mark: int, first_step: int, first_row: int) -> None:

@@ -12,7 +12,8 @@ MOST_PARTS = 32
 class DesignNumbers(NamedTuple):
     """Numbers of a design, in a row; see `StartCase`, `StartOrders` and `OneStage`.
 
-    `angle` is the crank's own at the beginning. [rad] `has_stage`, `settles`: 1 for true.
+    `angle` is the crank's own at the beginning. [rad] `has_stage`, `settles`: 1 for true. `machine`: which row of
+    `Together.machines`; `n_corners`, `n_rows`: how many of its own.
     """
 
     angle: float
@@ -39,12 +40,15 @@ class DesignNumbers(NamedTuple):
     drag: float
     stage_inertia: float
     motor: float
+    machine: float
+    n_corners: float
+    n_rows: float
 
 
 (
     ANGLE, FIRST_SPEED, OFF, BACK, BRAKED, OVERSPEED, GAS_PRESSURE, INTERVAL, TOLERANCE, BRAKE_TORQUE, RISE_TIME,
     ON_CRANK, HOLDS, SETTLES, STEADY_SPEED, CYCLE_TIME, TURNING, HAS_STAGE, RATIO, FORWARD, BACKWARD, DRAG,
-    STAGE_INERTIA, MOTOR,
+    STAGE_INERTIA, MOTOR, MACHINE, N_CORNERS, N_ROWS,
 ) = range(len(DesignNumbers._fields))  # fmt: skip
 """Where these stand in the row of a design."""
 ENDS_AT, TARGET, WHICH, TO_REST = range(4)
@@ -74,11 +78,11 @@ class Together(NamedTuple):
 
     Attributes
     ----------
-    machines : Array, shape (2, number)
-        Of the machine, and as it is with its valves held open.
+    machines : Array, shape (machine, number)
+        Of each once, and as it is with its valves held open where it begins so.
     motor : NamedTuple of floats
-    corners, rows : Array
-        As of `StartCase`. [rad]
+    corners, rows : Array, shape (design, n)
+        As of `StartCase`, filled up. [rad]
     cycle : float
         [rad]
     designs : Array, shape (design, number)

@@ -12,6 +12,7 @@ from cranktrain.questions.start.rows_of_designs import (
     FIRST_SAMPLE,
     FIRST_STEP,
     INTERVAL,
+    MACHINE,
     OFF,
     PART_BEGAN,
     PART_ENDS,
@@ -128,6 +129,7 @@ def states_from_steps(room: Any, n_parts: int, n_samples: int) -> None:
 def tell(kernels: Any, given: Any, design: int, room: Any, told: Any, n_parts: int, n_samples: int, first: int) -> int:
     """Tell a design's samples from a row on, times counted on and works added up; gives how many, less for no room."""
     own, row = given.designs[design], first
+    machine = given.machines[int(own[MACHINE])]
     motor = Switching(given.motor, own[OFF], own[BACK], 0.0)
     lay_same(0.0, room.start)
     for which in range(n_parts):
@@ -144,7 +146,7 @@ def tell(kernels: Any, given: Any, design: int, room: Any, told: Any, n_parts: i
                 told.state[row, component] = room.table[first_here + at, component] + room.start[component]
             told.time[row] = since + part[PART_BEGAN]
             told.torque[row] = kernels.motor(told.state[row, SPEED] * own[RATIO], told.time[row], motor)
-            told.inertia[row] = inertia_at(told.state[row, 0], given.machines[0])
+            told.inertia[row] = inertia_at(told.state[row, 0], machine)
             row += 1
         for component in range(MOTOR_WORK, N_STATE):
             room.start[component] += room.ends[which, component]

@@ -30,7 +30,7 @@ from cranktrain.questions.start.starting import breaks_of, ran_start, run_start,
 from cranktrain.transient.course import room_for_a_course
 from cranktrain.transient.gearing import turning_inertia
 from cranktrain.transient.law import in_one_stage, lines_of
-from cranktrain.transient.reduced import in_one_row
+from cranktrain.transient.reduced import ReducedMachine, in_one_row
 from cranktrain.transient.runs import each_apart, run
 from cranktrain.transient.step import N_STATE
 from cranktrain.transient.traced import N_TRACED
@@ -80,15 +80,14 @@ def _case_of(cases: StartCases, design: int) -> StartCase:
 
 
 def _in_groups(cases: StartCases, designs: Sequence[int]) -> list[list[int]]:
-    """Designs that can be run together, in their order: of one machine and one motor that is not stiff."""
+    """Designs that can be run together, in their order: of one motor that is not stiff, machines of as many numbers."""
     each = ((design, cases.each[design]) for design in designs)
     fit = ((design, case) for design, case in each if isinstance(case, StartCase) and method_of(case) is run)
     return list(grouped((_in_common(case), design) for design, case in fit).values())
 
 
 def _in_common(case: StartCase) -> tuple[object, ...]:
-    corners = case.corners.tobytes(), case.rows.tobytes(), lines_of(case.gearing).shape
-    return id(case.machine), id(case.motor), *corners
+    return id(case.motor), lines_of(case.gearing).shape, sum(part.size for part in map(np.asarray, case.machine))
 
 
 def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows | None]:
@@ -140,26 +139,40 @@ def _big_room(n_designs: int, times: int) -> _BigRoom:
 
 def _together(cases: Sequence[StartCase]) -> Together:
     """Put designs of one group together."""
-    first, parts, breaks = cases[0], [_parts(case) for case in cases], [sorted(breaks_of(case)) for case in cases]
-    machines = [first.machine, with_open_valves(first.machine)]
+    cycle, machines, places = cases[0].cycle, list[Array](), dict[tuple[int, bool], int]()
+
+    def place_of(machine: ReducedMachine, has_open_valves: bool) -> int:
+        """Where its numbers stand, or stand now."""
+        key = id(machine), has_open_valves
+        if key not in places:
+            places[key] = len(machines)
+            machines.append(in_one_row(with_open_valves(machine) if has_open_valves else machine))
+        return places[key]
+
+    own = [place_of(case.machine, has_open_valves=False) for case in cases]
+    parts = [
+        [
+            (span.end, span.target, place_of(case.machine, span.machine is not case.machine), span.to_rest)
+            for span in spans_of(case)
+        ]
+        for case in cases
+    ]
+    corners, rows = ([each_apart(getattr(case, name), cycle) for case in cases] for name in ("corners", "rows"))
+    numbers = [
+        _numbers(case)._replace(machine=machine, n_corners=len(corner), n_rows=len(row))
+        for case, machine, corner, row in zip(cases, own, corners, rows, strict=True)
+    ]
     return Together(
-        np.stack([in_one_row(machine) for machine in machines]),
-        first.motor_numbers,
-        each_apart(first.corners, first.cycle),
-        each_apart(first.rows, first.cycle),
-        float(first.cycle),
-        np.array([_numbers(case) for case in cases]),
+        np.stack(machines),
+        cases[0].motor_numbers,
+        _filled(corners, np.inf),
+        _filled(rows, np.inf),
+        float(cycle),
+        np.array(numbers),
         np.stack([lines_of(case.gearing) for case in cases]),
         _filled(parts, (0.0, 0.0, -1.0, 0.0)),
-        _filled(breaks, np.inf),
+        _filled([sorted(breaks_of(case)) for case in cases], np.inf),
     )
-
-
-def _parts(case: StartCase) -> list[tuple[float, ...]]:
-    """Planned parts of a run, in numbers."""
-    return [
-        (span.end, span.target, float(span.machine is not case.machine), float(span.to_rest)) for span in spans_of(case)
-    ]
 
 
 def _filled(rows: Sequence[Sequence[Any]], nothing: Any) -> Array:
@@ -196,6 +209,9 @@ def _numbers(case: StartCase) -> DesignNumbers:
         drag=stage.drag,
         stage_inertia=stage.inertia,
         motor=stage.motor,
+        machine=0.0,
+        n_corners=0.0,
+        n_rows=0.0,
     )
 
 
