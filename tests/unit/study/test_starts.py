@@ -14,7 +14,9 @@ from cranktrain.columns import in_columns
 from cranktrain.how_far import listened_to
 from cranktrain.machine import machine_problems
 from cranktrain.questions.start import together
+from cranktrain.questions.start.record import ReadyStarts
 from cranktrain.study import facts_of_starts as road
+from cranktrain.study.start import over_time_of_designs
 from cranktrain.study.sweep.machines import wrong_machines
 
 RATIO = "drive.stage[0].ratio"
@@ -135,6 +137,40 @@ def test_designs_of_several_machines_and_motors(monkeypatch):
     sizes, bores = ("1.5 kW", "2.2 kW", "1.5 kW", "2.2 kW"), ("3.125 in", "3.125 in", "3 in", "3.125 in")
     values = [{"drive.motor.size": size, "cylinder.bore": bore} for size, bore in zip(sizes, bores, strict=True)]
     held_to_each_alone(ct.start(designs("compressor_start", *values)))
+
+
+def test_machines_that_differ_run_in_one_loop(monkeypatch):
+    """Of other cylinders, with corners at other angles, with and without their valves held open at first."""
+    pytest.importorskip("numba")
+    monkeypatch.setattr(road, "_COMPILING", 0.0)
+    sizes = ((3.5, "3.125 in", 0.1), (3.5, "3 in", 0.0), (5.0, "3.125 in", 0.0), (4.0, "3 in", 0.3))
+    values = [
+        {"mechanism.rod_to_crank_ratio": rod, "cylinder.bore": bore, "drive.start.unloaded_until": f"{until} s"}
+        for rod, bore, until in sizes
+    ]
+    machines = designs("compressor_start", *values)
+    ready = over_time_of_designs(machines, [ReadyStarts])[ReadyStarts]
+    assert ready.in_short.groups(range(len(machines))) == [[0, 1, 2, 3]]
+    held_to_each_alone(ct.start(machines))
+
+
+def test_what_one_block_gave_is_given_to_the_next_where_it_is_the_same(monkeypatch):
+    """Blocks of two: of the same machine, of another wheel, of another bore, and of one that is refused."""
+    monkeypatch.setattr(road, "MOST_AT_ONCE", 2)
+    wheels, bores = (0.05, 0.08, 0.08, 0.05, 0.05, 0.08, 0.08), (3.0, 3.0, 3.0, 3.1, 3.0, 3.0, 3.0)
+    values = [
+        {"drive.part.flywheel.inertia": f"{wheel} kg*m^2", "cylinder.bore": f"{bore} in"}
+        for wheel, bore in zip(wheels, bores, strict=True)
+    ]
+    values[5]["drive.start.gas_pressure"] = "20 bar"
+    for one in values:
+        one.setdefault("drive.start.gas_pressure", "14.7 psi")
+    found = ct.start(designs("compressor_start", *values))
+    assert list(found.refused) == [5]
+    for place in (0, 3, 4, 6):
+        alone = ct.start(found.machines[place])
+        for name in road.FACTS_SHOWN:
+            assert getattr(found, name)[place] == getattr(alone, name)
 
 
 @pytest.mark.parametrize("wanted", [["start_duration", "energy_left_over"], ["effective_motor_torque", "event_time"]])
