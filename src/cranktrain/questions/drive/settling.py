@@ -276,8 +276,9 @@ def _kinks(outputs: Array, found: Sequence[SpeedOverTurn]) -> Iterator[Array]:
     Of each design.
     """
     changes = np.sign(outputs[..., :-1]) * np.sign(outputs[..., 1:]) < 0
-    for of_stages, own, has_some, one in zip(outputs, changes, np.any(changes, axis=(1, 2)).tolist(), found, strict=True):
-        if not has_some:
+    has_some = np.any(changes, axis=(1, 2)).tolist()
+    for of_stages, own, has_kinks, one in zip(outputs, changes, has_some, found, strict=True):
+        if not has_kinks:
             yield _NOWHERE
             continue
         nodes, (row, place) = one.mesh.nodes, np.nonzero(own)
