@@ -89,8 +89,8 @@ def _up_to(turning: DriveInTurn, tops: Array) -> list[SpeedBalance]:
     few = _downwards(turning, speeds[:, (_N_SPEEDS - 1) % _AT_ONCE :: _AT_ONCE])
     all_of_them = _downwards(turning, speeds) if any(own.speed is None for own in few) else few
     falls = [own.fall or 0 for own in few]
-    near = [int(np.searchsorted(own, one.speeds[at])) for own, one, at in zip(speeds, few, falls, strict=True)]
-    between = np.take_along_axis(speeds, np.array(near)[:, np.newaxis] + np.arange(_AT_ONCE + 1), axis=1)
+    near = np.array([np.count_nonzero(own < one.speeds[at]) for own, one, at in zip(speeds, few, falls, strict=True)])
+    between = np.take_along_axis(speeds, near[:, np.newaxis] + np.arange(_AT_ONCE + 1), axis=1)
     closely = zip(between, _mean_work(turning, between), strict=True)
     return [
         whole if own.fall is None else own.with_more(SpeedBalance(*more))

@@ -157,7 +157,8 @@ def _together(cases: Sequence[StartCase]) -> Together:
         ]
         for case in cases
     ]
-    corners, rows = ([each_apart(getattr(case, name), cycle) for case in cases] for name in ("corners", "rows"))
+    corners = [each_apart(case.corners, cycle).tolist() for case in cases]
+    rows = [each_apart(case.rows, cycle).tolist() for case in cases]
     numbers = [
         _numbers(case)._replace(machine=machine, n_corners=len(corner), n_rows=len(row))
         for case, machine, corner, row in zip(cases, own, corners, rows, strict=True)
