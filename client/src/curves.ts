@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 
 import { type Figures, NumbersOf, plain, titled } from "./charts.ts";
-import type { Curve, OtherCurve, PageCurves, Panel } from "./data.ts";
+import type { Curve, OtherCurve, PageCurves, PageSheet, Panel } from "./data.ts";
 import { html, svg, write } from "./elements.ts";
 import { canvasColour, type Ink, inkOf, LEVELS, PENS } from "./ink.ts";
 import { extent, figure, figures, interpolated, number, read, same, ticks } from "./numbers.ts";
@@ -42,9 +42,14 @@ const BETWEEN = ", ";
 /** Of curves that stand beside others of their name. */
 const UNNAMED: ReadonlySet<Curve["role"]> = new Set(["ray", "half_ray", "textbook", "saved"]);
 
+/** A part of a sheet. */
+export type Part = PageSheet["columns"][number][number];
+
 /** What is shown of a part of a page. */
 export interface Shown {
   readonly element: HTMLElement;
+  /** Show other values where these stand; false where another is to take its place. */
+  readonly take?: (part: Part) => boolean;
   /** Stand at a crank angle [deg], or at a time where the page is over time. */
   readonly show: (place: number) => void;
   /** Take the width and the colours of what it stands in. */
@@ -81,8 +86,8 @@ export class ShownCurves implements Shown {
   }
 
   /** Show other values of the same curves where they stand; false of other curves. */
-  take(part: PageCurves): boolean {
-    if (!same(headOf(this.part), headOf(part))) return false;
+  take(part: Part): boolean {
+    if (part.is !== "PageCurves" || !same(headOf(this.part), headOf(part))) return false;
     part.panels.forEach((panel, place) => this.panels[place]?.take(panel));
     this.part = part;
     return true;
@@ -149,11 +154,16 @@ class ShownPanel {
     this.element = html("figure", { class: "panel" }, head, this.room, this.corner);
     if (manner.over && manner.isLast) this.element.append(html("figcaption", {}, said(manner.over)));
     this.element.append(this.below, this.numbers.table);
-    this.take(panel);
+    this.fill(panel);
   }
 
-  /** Show other values of the same curves. */
+  /** Show other values of the same curves; what is the same stays. */
   take(panel: Panel): void {
+    if (same(this.panel, panel)) return;
+    this.fill(panel);
+  }
+
+  private fill(panel: Panel): void {
     this.panel = panel;
     this.lines = panel.curves.map((curve) => lineOf(curve, panel));
     this.largest = Math.max(0, ...this.lines.flatMap((line) => extent(line.values).map(Math.abs)).filter(Number.isFinite));
@@ -303,11 +313,9 @@ class ShownPanel {
   private findLimits(): readonly [number, number] {
     if (this.panel.limits) return [number(this.panel.limits[0]), number(this.panel.limits[1])];
     const lines = [...this.lines, ...this.otherLines];
-    const known = lines.flatMap((line) => Array.from(line.values).filter(Number.isFinite));
-    const hasGaps = lines.some((line) => line.values.some((one) => !Number.isFinite(one)));
-    let [low, high] = extent(known);
-    if (hasGaps && known.length) {
-      known.sort((one, other) => one - other);
+    let [low, high] = extent(lines.flatMap((line) => extent(line.values)));
+    if (lines.some((line) => !line.values.every(Number.isFinite))) {
+      const known = lines.flatMap((line) => Array.from(line.values).filter(Number.isFinite)).sort((one, other) => one - other);
       const [start, end] = MIDDLE.map((part) => known[Math.floor(part * (known.length - 1))] ?? NaN) as [number, number];
       [low, high] = [start - 0.3 * (end - start), end + 0.3 * (end - start)];
     }
@@ -396,8 +404,8 @@ class ShownPanel {
   private draw(plot: uPlot): void {
     const ink = plot.ctx;
     const ratio = devicePixelRatio * this.finer;
-    const x = (value: number): number => plot.valToPos(value, "x", true);
-    const y = (value: number): number => plot.valToPos(value, "y", true);
+    const x = linear(this.reach, (value) => plot.valToPos(value, "x", true));
+    const y = linear(this.limits, (value) => plot.valToPos(value, "y", true));
     const box = plot.bbox;
     ink.save();
     ink.beginPath();
@@ -492,13 +500,22 @@ const lineOf = (curve: Curve | OtherCurve, panel: Panel): Line => ({ across: (cu
 
 /** Go along a line, in pieces where it has gaps. */
 function along(ink: CanvasRenderingContext2D, line: Line, x: (one: number) => number, y: (one: number) => number): void {
+  const { across, values } = line;
   let isDown = false;
-  line.values.forEach((value, place) => {
+  for (let place = 0; place < values.length; place++) {
+    const value = values[place] as number;
     const isThere = Number.isFinite(value);
-    if (isThere && isDown) ink.lineTo(x(line.across[place] ?? NaN), y(value));
-    else if (isThere) ink.moveTo(x(line.across[place] ?? NaN), y(value));
+    if (isThere && isDown) ink.lineTo(x(across[place] ?? NaN), y(value));
+    else if (isThere) ink.moveTo(x(across[place] ?? NaN), y(value));
     isDown = isThere;
-  });
+  }
+}
+
+/** What takes values between two ends to where these stand, as `place` does; for many of them in less time. */
+function linear([low, high]: readonly [number, number], place: (value: number) => number): (value: number) => number {
+  const start = place(low);
+  const step = (place(high) - start) / (high - low);
+  return (value) => start + step * (value - low);
 }
 
 /** Crank angles at an axis so wide: each 30°, or fewer, so that their figures stand clear. */

@@ -54,6 +54,29 @@ export function write(into: HTMLElement, words: string): void {
   if (into.textContent !== words) into.textContent = words;
 }
 
+/** Let children of an element read as others do; what is the same stays where it is, so that less is laid out anew. */
+export function renewChildren(shown: Element, next: readonly Node[]): void {
+  const before = [...shown.childNodes];
+  if (before.length !== next.length) {
+    shown.replaceChildren(...next);
+    return;
+  }
+  next.forEach((one, place) => { renew(before[place] as ChildNode, one); });
+}
+
+/** Let a node that hears of no events read as another one does. */
+function renew(shown: ChildNode, next: Node): void {
+  if (shown.nodeName !== next.nodeName) {
+    shown.replaceWith(next);
+  } else if (shown instanceof Element && next instanceof Element) {
+    for (const { name } of [...shown.attributes]) if (!next.hasAttribute(name)) shown.removeAttribute(name);
+    for (const { name, value } of next.attributes) if (shown.getAttribute(name) !== value) shown.setAttribute(name, value);
+    renewChildren(shown, [...next.childNodes]);
+  } else if (shown.nodeValue !== next.nodeValue) {
+    shown.nodeValue = next.nodeValue;
+  }
+}
+
 /** Offer a choice, each value with its words, of which one is chosen; what is offered already stays. */
 export function offer(choice: HTMLSelectElement, options: readonly (readonly [value: string, words: string])[], chosen: string): void {
   const isOffered = options.length === choice.options.length && options.every(([value, words], place) => {

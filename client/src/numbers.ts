@@ -14,7 +14,7 @@ export function unpacked(bytes: ArrayBuffer): unknown {
   return revived(data, ofBytes(new Uint8Array(bytes, 4 + length)));
 }
 
-/** Give data with arrays in place of what says where their numbers are. */
+/** Give data, which is changed for that, with arrays in place of what says where their numbers are. */
 export function revived(data: unknown, block: Float32Array): unknown {
   if (Array.isArray(data)) return data.map((one) => revived(one, block));
   if (typeof data !== "object" || data === null) return data;
@@ -22,7 +22,9 @@ export function revived(data: unknown, block: Float32Array): unknown {
     const size = data.shape.reduce((product, one) => product * one, 1);
     return { values: block.subarray(data.at, data.at + size), shape: data.shape } satisfies Numbers;
   }
-  return Object.fromEntries(Object.entries(data).map(([name, one]) => [name, revived(one, block)]));
+  const named = data as Record<string, unknown>;
+  for (const name of Object.keys(named)) named[name] = revived(named[name], block);
+  return named;
 }
 
 function isPlace(data: object): data is Place {
@@ -35,7 +37,8 @@ export function same(one: unknown, other: unknown): boolean {
   if (typeof one !== "object" || typeof other !== "object" || one === null || other === null) return false;
   if (one instanceof Float32Array || other instanceof Float32Array) {
     if (!(one instanceof Float32Array && other instanceof Float32Array) || one.length !== other.length) return false;
-    return one.every((value, place) => Object.is(value, other[place]));
+    for (let place = 0; place < one.length; place++) if (!Object.is(one[place], other[place])) return false;
+    return true;
   }
   const [first, second] = [Object.entries(one), other as Record<string, unknown>];
   return first.length === Object.keys(second).length && first.every(([name, value]) => name in second && same(value, second[name]));
@@ -43,11 +46,11 @@ export function same(one: unknown, other: unknown): boolean {
 
 /** Numbers of which all first bytes stand first, then all second ones, and so on. */
 export function ofBytes(bytes: Uint8Array): Float32Array {
-  const size = Float32Array.BYTES_PER_ELEMENT;
-  const count = bytes.length / size;
-  const whole = new Uint8Array(bytes.length);
-  for (let which = 0; which < size; which++) {
-    for (let place = 0; place < count; place++) whole[place * size + which] = bytes[which * count + place] ?? 0;
+  const count = bytes.length / Float32Array.BYTES_PER_ELEMENT;
+  const whole = new Uint32Array(count);
+  const byte = (which: number, place: number): number => bytes[which * count + place] ?? 0;
+  for (let place = 0; place < count; place++) {
+    whole[place] = byte(0, place) | (byte(1, place) << 8) | (byte(2, place) << 16) | (byte(3, place) << 24);
   }
   return new Float32Array(whole.buffer);
 }
@@ -65,10 +68,11 @@ export function row(numbers: Numbers, place: number): Float32Array {
 }
 
 /** Least and largest of the values that are known; none of these are two NaN. */
-export function extent(values: Iterable<number>): readonly [number, number] {
+export function extent(values: ArrayLike<number>): readonly [number, number] {
   let low = Infinity;
   let high = -Infinity;
-  for (const one of values) {
+  for (let place = 0; place < values.length; place++) {
+    const one = values[place] as number;
     if (one < low) low = one;
     if (one > high) high = one;
   }

@@ -5,7 +5,7 @@ import type { Colours } from "./colours.ts";
 import { Controls, type Cursor } from "./controls.ts";
 import { Passing } from "./course.ts";
 import type { PageCourse, PageMembers, PageOthers, PagePiston, PageTab, PageTrust, ShownMachine, TabContent } from "./data.ts";
-import { html, write } from "./elements.ts";
+import { html, renewChildren, write } from "./elements.ts";
 import { Handles, type Editing } from "./handles.ts";
 import { dragged, pressed } from "./hands.ts";
 import { Mechanism } from "./mechanism.ts";
@@ -124,6 +124,10 @@ export class MachinePage {
       this.choose(this.chosen);
     });
     this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
+    this.answers.addEventListener("click", ({ target }) => {
+      const way = target instanceof Element ? target.closest<HTMLButtonElement>(".way") : null;
+      if (way) this.source?.whence(way.value);
+    });
     const right = html("section", { class: "right" }, this.toMind, this.panel, this.ownPanel);
     this.columns = html(
       "div", { class: "columns" },
@@ -275,7 +279,7 @@ export class MachinePage {
     this.said = content.sentence;
     if (this.restsOnSaid !== content.rests_on) this.restsOn.replaceChildren(said(content.rests_on));
     this.restsOnSaid = content.rests_on;
-    this.answers.replaceChildren(answer(content.answer, this.source?.whence), ...(content.beside ? [table(content.beside)] : []));
+    this.fillAnswers(content);
     this.differ.hidden = !hasDifferences(content);
     this.sheets.take(content, this.page.words.numbers, this.isOfDifferences);
     this.showOthers(content);
@@ -284,6 +288,13 @@ export class MachinePage {
     this.vectors.element.hidden = content.course !== null;
     this.members.element.hidden = content.course !== null;
     this.stand();
+  }
+
+  /** Show the rows of an answer, where those before stand, and beside a saved case their differences. */
+  private fillAnswers({ answer: group, beside }: TabContent): void {
+    const made = answer(group, this.source !== undefined);
+    if (beside || this.answers.childElementCount > 1) this.answers.replaceChildren(made, ...(beside ? [table(beside)] : []));
+    else renewChildren(this.answers, [made]);
   }
 
   /** Show the curves of the pistons that are not chosen, as soon as they are there, or none; until then those before stay. */

@@ -44,6 +44,8 @@ export class Placing {
   readonly cycle: number;
   private readonly drawing: MachineDrawing;
   private readonly shifts: ReadonlyMap<string, Point>;
+  /** Where each pin goes that was asked for, which is asked again and again. */
+  private readonly known = new Map<Numbers, { readonly x: Float32Array; readonly y: Float32Array; readonly shift: Point }>();
 
   constructor(drawing: MachineDrawing, held?: View) {
     this.drawing = drawing;
@@ -66,11 +68,13 @@ export class Placing {
   pin(of: MechanismDrawing, name: string, angle: number): Point {
     const places = of.pins[name];
     if (!places) return { x: NaN, y: NaN };
-    const shift = this.shift(of, name);
-    return this.point(
-      between(row(places, 0), this.cycle, angle) + shift.x,
-      between(row(places, 1), this.cycle, angle) + shift.y,
-    );
+    let known = this.known.get(places);
+    if (!known) {
+      known = { x: row(places, 0), y: row(places, 1), shift: this.shift(of, name) };
+      this.known.set(places, known);
+    }
+    const { x, y, shift } = known;
+    return this.point(between(x, this.cycle, angle) + shift.x, between(y, this.cycle, angle) + shift.y);
   }
 
   /** Where a pin of one of its mechanisms is. */

@@ -2,10 +2,10 @@
 
 import { type Figures, NumbersOf, titled } from "./charts.ts";
 import type { Bars, PolarDiagram, PagePolars, ShaftShapes, Stars, PageWear, Rays } from "./data.ts";
-import { html, picture, svg } from "./elements.ts";
+import { html, picture, renewChildren, svg } from "./elements.ts";
 import { colour, methodPen } from "./ink.ts";
-import { at, between, extent, figure, figures, number, row, ticks } from "./numbers.ts";
-import type { Shown } from "./curves.ts";
+import { at, between, extent, figure, figures, number, row, same, ticks } from "./numbers.ts";
+import type { Part, Shown } from "./curves.ts";
 import { said, spans } from "./words.ts";
 
 const POLAR = 300;
@@ -194,45 +194,63 @@ function worn(rays: Rays, most: number): HTMLElement {
   return html("figure", { class: "small" }, html("figcaption", {}, said(rays.title.replaceAll("\n", " "))), drawn);
 }
 
-/** Show bars. */
-export function bars(part: Bars, numbers: string): HTMLElement {
-  const [width, height, left, foot, top] = [560, 210, 46, part.names.length ? 34 : 22, 8];
-  const most = Math.max(...extent([...part.low.values, ...part.high.values]).map(Math.abs));
-  const below = new NumbersOf(numbers, part.title, () => ({
-    heads: ["", part.unit],
-    rows: Array.from(part.across.values, (across, place) => {
-      const ends = [at(part.low, place), at(part.high, place)].map((one) => figures(one, most));
-      return [part.names[place] ?? `${across}`, ends[0] === "0" ? `${ends[1]}` : ends.join(" … ")];
-    }),
-  }));
-  const element = html("figure", { class: "panel" }, titled(html("h3", {}, said(part.title)), below));
-  const n = part.across.values.length;
-  if (n && part.low.values.some((low, place) => low !== at(part.high, place))) {
-    const [low, high] = extent([0, ...part.low.values, ...part.high.values]);
-    const room = (high - low) * 0.06;
-    const [bottom, ceiling] = [low < 0 ? low - room : 0, high + room];
-    const first = at(part.across, 0);
-    const each = n > 1 ? at(part.across, 1) - first : 1;
-    const [start, end] = part.names.length ? [first - 0.7, at(part.across, n - 1) + 0.7] : [0, at(part.across, n - 1) + each / 2];
-    const x = (value: number): number => left + ((value - start) / (end - start)) * (width - left - 6);
-    const y = (value: number): number => top + ((ceiling - value) / (ceiling - bottom)) * (height - top - foot);
-    const drawn = picture("bars", [0, 0, width, height], svg("title", {}, part.title));
-    const levels = ticks(bottom, ceiling, 4);
-    for (const level of levels) drawn.append(svg("line", { class: "grid", x1: left, x2: width - 6, y1: y(level), y2: y(level) }), svg("text", { class: "level", x: left - 6, y: y(level) }, figure(level, (levels[1] ?? 1) - (levels[0] ?? 0))));
-    const wide = Math.abs(x(each) - x(0)) * 0.66;
-    part.across.values.forEach((across, place) => {
-      const [one, other] = [y(at(part.low, place)), y(at(part.high, place))];
-      const looks = ["bar", part.is_filled[place] ? "filled" : "", place === part.framed ? "framed" : ""].join(" ");
-      drawn.append(svg("rect", { class: looks, x: x(across) - wide / 2, y: Math.min(one, other), width: wide, height: Math.abs(one - other) }));
-      const name = part.names.length ? (part.names[place] ?? "").split(".").pop() ?? "" : Number.isInteger(across) && across % (2 * Math.ceil(n / 24) - (n <= 12 ? 1 : 0)) === 0 ? `${across}` : "";
-      if (name) drawn.append(svg("text", { class: "name", x: x(across), y: height - foot + 14 }, name));
+/** Show bars; others of the same names take their place where they stand. */
+export function bars(part: Bars, numbers: string): Shown {
+  let now = part;
+  const below = new NumbersOf(numbers, part.title, () => {
+    const most = Math.max(...extent([...now.low.values, ...now.high.values]).map(Math.abs));
+    const rows = Array.from(now.across.values, (across, place) => {
+      const ends = [at(now.low, place), at(now.high, place)].map((one) => figures(one, most));
+      return [now.names[place] ?? `${across}`, ends[0] === "0" ? `${ends[1]}` : ends.join(" … ")];
     });
-    drawn.append(svg("line", { class: "zero", x1: left, x2: width - 6, y1: y(0), y2: y(0) }));
-    element.append(drawn);
-  }
+    return { heads: ["", now.unit], rows };
+  });
+  const element = html("figure", { class: "panel" }, titled(html("h3", {}, said(part.title)), below));
+  const drawn = hasBars(part) ? picture("bars", [0, 0, BARS, BARS_HIGH], ...barsOf(part)) : null;
+  if (drawn) element.append(drawn);
   for (const note of part.notes) element.append(html("figcaption", {}, said(note)));
   element.append(below.table);
-  return element;
+  const take = (next: Part): boolean => {
+    if (!drawn || next.is !== "Bars" || !hasBars(next) || !same(headOf(now), headOf(next))) return false;
+    now = next;
+    below.renew();
+    renewChildren(drawn, barsOf(next));
+    return true;
+  };
+  return { element, show: () => undefined, fit: () => undefined, take };
+}
+
+const [BARS, BARS_HIGH] = [560, 210];
+
+/** What of bars is no value of theirs. */
+const headOf = (part: Bars): unknown => [part.title, part.unit, part.names, part.notes];
+
+/** Whether one of them is not nothing. */
+const hasBars = (part: Bars): boolean => part.low.values.some((low, place) => low !== at(part.high, place));
+
+/** Draw bars over their names or numbers. */
+function barsOf(part: Bars): SVGElement[] {
+  const [width, height, left, foot, top] = [BARS, BARS_HIGH, 46, part.names.length ? 34 : 22, 8];
+  const n = part.across.values.length;
+  const [low, high] = extent([0, ...part.low.values, ...part.high.values]);
+  const room = (high - low) * 0.06;
+  const [bottom, ceiling] = [low < 0 ? low - room : 0, high + room];
+  const first = at(part.across, 0);
+  const each = n > 1 ? at(part.across, 1) - first : 1;
+  const [start, end] = part.names.length ? [first - 0.7, at(part.across, n - 1) + 0.7] : [0, at(part.across, n - 1) + each / 2];
+  const x = (value: number): number => left + ((value - start) / (end - start)) * (width - left - 6);
+  const y = (value: number): number => top + ((ceiling - value) / (ceiling - bottom)) * (height - top - foot);
+  const levels = ticks(bottom, ceiling, 4);
+  const grid = levels.flatMap((level) => [svg("line", { class: "grid", x1: left, x2: width - 6, y1: y(level), y2: y(level) }), svg("text", { class: "level", x: left - 6, y: y(level) }, figure(level, (levels[1] ?? 1) - (levels[0] ?? 0)))]);
+  const wide = Math.abs(x(each) - x(0)) * 0.66;
+  const drawn = Array.from(part.across.values, (across, place) => {
+    const [one, other] = [y(at(part.low, place)), y(at(part.high, place))];
+    const looks = ["bar", part.is_filled[place] ? "filled" : "", place === part.framed ? "framed" : ""].join(" ");
+    const bar = svg("rect", { class: looks, x: x(across) - wide / 2, y: Math.min(one, other), width: wide, height: Math.abs(one - other) });
+    const name = part.names.length ? (part.names[place] ?? "").split(".").pop() ?? "" : Number.isInteger(across) && across % (2 * Math.ceil(n / 24) - (n <= 12 ? 1 : 0)) === 0 ? `${across}` : "";
+    return name ? [bar, svg("text", { class: "name", x: x(across), y: height - foot + 14 }, name)] : [bar];
+  });
+  return [svg("title", {}, part.title), ...grid, ...drawn.flat(), svg("line", { class: "zero", x1: left, x2: width - 6, y1: y(0), y2: y(0) })];
 }
 
 /** Show shapes along a shaft. */

@@ -1,6 +1,6 @@
 // Sheets of a tab: their parts, which take other values where they stand.
 
-import { lineSample, ShownCurves, type Shown } from "./curves.ts";
+import { lineSample, type Part, ShownCurves, type Shown } from "./curves.ts";
 import type { OtherCurve, PageOthers, PageSheet, Ruler, TabContent } from "./data.ts";
 import { html } from "./elements.ts";
 import { constructed } from "./construction.ts";
@@ -11,7 +11,6 @@ import { bars, polars, shapes, stars, wear } from "./plane.ts";
 import { notes, section, table } from "./tables.ts";
 import { said } from "./words.ts";
 
-type Part = PageSheet["columns"][number][number];
 type Turned = (place: number) => void;
 
 /** Of a crank angle. */
@@ -119,7 +118,7 @@ class ShownPart {
   take(part: Part): void {
     if (same(this.part, part)) return;
     this.part = part;
-    if (this.shown instanceof ShownCurves && part.is === "PageCurves" && this.shown.take(part)) return;
+    if (this.shown.take?.(part)) return;
     this.hasOthers = false;
     const before = this.shown.element;
     this.shown = drawn(part, this.numbers, this.turned, this.unit);
@@ -166,7 +165,7 @@ function drawn(part: Part, numbers: string, turned: Turned, unit: string): Shown
     case "PagePolars":
       return polars(part, numbers);
     case "Bars":
-      return standing(bars(part, numbers));
+      return bars(part, numbers);
     case "Stars":
       return standing(stars(part, numbers));
     case "PageWear":

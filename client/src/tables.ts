@@ -6,8 +6,8 @@ import { html, scrolling, svg } from "./elements.ts";
 import { colour, methodPen } from "./ink.ts";
 import { said } from "./words.ts";
 
-/** Show the rows of an answer, as the terminal has them; where it can be asked whence, their names ask. */
-export function answer(group: WrittenGroup, whence?: (quantity: string) => void): HTMLElement {
+/** Show the rows of an answer, as the terminal has them; where it can be asked whence, their names are buttons for that. */
+export function answer(group: WrittenGroup, isAsked: boolean): HTMLElement {
   const n = Math.max(1, group.heads.length);
   const table = html("table", { class: "answer" });
   if (group.heads.length) {
@@ -15,7 +15,7 @@ export function answer(group: WrittenGroup, whence?: (quantity: string) => void)
   }
   const body = html("tbody", {});
   for (const row of group.rows) {
-    const line = html("tr", {}, html("th", { scope: "row" }, named(row, whence)));
+    const line = html("tr", {}, html("th", { scope: "row" }, named(row, isAsked)));
     if (row.cells.length === 0) line.append(html("td", { class: "words", colspan: n + 1 }, said(row.words.trim())));
     else {
       if (row.cells.length < n) line.append(html("td", { class: "number", colspan: n }, row.cells[0] ?? ""));
@@ -29,11 +29,8 @@ export function answer(group: WrittenGroup, whence?: (quantity: string) => void)
   return table;
 }
 
-function named({ name, quantities: [quantity] }: WrittenRow, whence?: (quantity: string) => void): Node {
-  if (!whence || quantity === undefined) return said(name);
-  const way = html("button", { type: "button", class: "way", value: quantity }, said(name));
-  way.addEventListener("click", () => { whence(quantity); });
-  return way;
+function named({ name, quantities: [quantity] }: WrittenRow, isAsked: boolean): Node {
+  return isAsked && quantity !== undefined ? html("button", { type: "button", class: "way", value: quantity }, said(name)) : said(name);
 }
 
 /** Show a table of a sheet. */
