@@ -7,7 +7,8 @@ from cranktrain.machine import Machine
 from cranktrain.motion import Array, Coefficient
 from cranktrain.numerics import turn_grid
 from cranktrain.numerics.extremes import turning_points
-from cranktrain.plans.placement import output_motion
+from cranktrain.plans.found_again import found_again
+from cranktrain.plans.placement import motion_of_output
 from cranktrain.quantities import shown
 
 _EVENLY = 6
@@ -28,10 +29,15 @@ def dead_positions(machine: Machine, place: PlacedMechanism) -> Array:
         As the machine shows them, within a turn [deg]: farthest and nearest of a slider, largest and smallest angle of
         a rocker; six even positions where the links do not close all round.
     """
+    return found_again(machine, _positions, place, machine.zero)
+
+
+def _positions(place: PlacedMechanism, zero: Array) -> Array:
+    """Find them, from φ where the shown crank angle is 0. [rad]"""
 
     def output(angle: Array) -> Coefficient:
         """Give the output at any angles, which are one design's."""
-        found = output_motion(machine, place, np.ravel(angle))
+        found = motion_of_output(place, zero, np.ravel(angle))
         return Coefficient(*(np.broadcast_to(part, np.size(angle)).reshape(np.shape(angle)) for part in found))
 
     samples = output(turn_grid()).value

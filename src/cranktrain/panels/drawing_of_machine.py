@@ -25,6 +25,7 @@ from cranktrain.panels.drawing import (
     ShaftDrawing,
 )
 from cranktrain.panels.throw_member import CylinderSizes, DrawnMechanism, cylinder_sizes, standing
+from cranktrain.plans.found_again import found_again
 from cranktrain.plans.placement import PlacedShafts, frame, place_called, placed, shaft_places, throw_of
 from cranktrain.plans.shown_loads import shown_loads
 from cranktrain.plans.stroke_lines import unit
@@ -72,7 +73,7 @@ def machine_drawing(
     shafts = shaft_places(machine)
     asked = machine.places if mechanism is None else throw_of(machine, _standing_place(machine, mechanism, shafts))
     places = [place for place in asked if place.shaft in shafts.centres]
-    sizes, travel = cylinder_sizes(machine, places), _travels()
+    sizes, travel = cylinder_sizes(machine, places), _travels(machine)
     phi = np.deg2rad(np.concatenate([_PATH, angles])) + machine.zero
     drawn: list[MechanismDrawing] = []
     reached: list[Array] = []
@@ -120,14 +121,14 @@ def _standing_place(machine: Machine, name: str, shafts: PlacedShafts) -> Placed
 _Travel = Callable[[PlacedMechanism], Array]
 
 
-def _travels() -> _Travel:
+def _travels(machine: Machine) -> _Travel:
     """Give what finds nearest and farthest place of a slider along its line; once of those that are made alike. [m]"""
     found: dict[tuple[int, int], Array] = {}
 
     def travel(place: PlacedMechanism) -> Array:
         alike = id(place.kind), id(place.geometry)
         if alike not in found:
-            found[alike] = _travel(place)
+            found[alike] = found_again(machine, _travel, place)
         return found[alike]
 
     return travel

@@ -9,7 +9,7 @@ import numpy as np
 from cranktrain.errors import InputError, Problem
 from cranktrain.grouping import grouped
 from cranktrain.language import Words, _
-from cranktrain.layout.frames import Frame, frame_of, in_machine_axes
+from cranktrain.layout.frames import Frame, Orientation, frame_of, in_machine_axes
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.layout.specs import MAIN
 from cranktrain.layout.standing import shaft_centres
@@ -18,6 +18,7 @@ from cranktrain.mechanisms.drawing import Drawing, Guide
 from cranktrain.mechanisms.output import OutputPart
 from cranktrain.motion import Array, Coefficient, Point, single
 from cranktrain.numerics import turn_grid
+from cranktrain.plans.found_again import found_again
 from cranktrain.plans.found_once import found_once
 from cranktrain.plans.link_points import with_points
 from cranktrain.questions.cylinders.declared import cylinders_of
@@ -204,7 +205,12 @@ def placed(machine: Machine, place: PlacedMechanism, angle: Array) -> Drawing:
     Drawing
         Pins with their derivatives, shape (n,) [m, m/rad, m/rad²]; directions of guides from X, anticlockwise [rad].
     """
-    axes = frame(machine, place)
+    return found_again(machine, _placed, place, machine.orientation, angle)
+
+
+def _placed(place: PlacedMechanism, orientation: Orientation, angle: Array) -> Drawing:
+    """Find it."""
+    axes = frame_of(place, orientation)
     with np.errstate(all="ignore"):  # what cannot close is NaN, and where it just closes velocities have no bound
         turned = angle + place.phase
         own = with_points(place.kind.drawing(turned, place.geometry), place, turned)
@@ -231,8 +237,13 @@ def output_motion(machine: Machine, place: PlacedMechanism, angle: Array) -> Coe
     Coefficient, shape (n,)
         [m, m/rad, m/rad²], or [rad, rad/rad, rad/rad²].
     """
+    return motion_of_output(place, machine.zero, angle)
+
+
+def motion_of_output(place: PlacedMechanism, zero: Array, angle: Array) -> Coefficient:
+    """Give a place's output, as `output_motion`, from φ where the shown crank angle is 0. [rad]"""
     with np.errstate(all="ignore"):
-        motion = place.kind.motion(angle + machine.zero + place.phase, place.geometry)
+        motion = place.kind.motion(angle + zero + place.phase, place.geometry)
     return motion.slider if place.kind.output.is_slider else motion.rocker.angle
 
 
