@@ -54,6 +54,41 @@ export function write(into: HTMLElement, words: string): void {
   if (into.textContent !== words) into.textContent = words;
 }
 
+/** An element of a picture that is not made yet: its tag, its attributes, its text. */
+export type Sketch = readonly [tag: keyof SVGElementTagNameMap, attributes: Attributes, text?: string];
+
+/** What is drawn in a picture by sketches, of which others may take the place: only what differs is written. */
+export class Sketched {
+  private readonly into: Element;
+  private shown: { readonly element: SVGElement; readonly sketch: Sketch }[] = [];
+
+  constructor(into: Element, sketches: readonly Sketch[]) {
+    this.into = into;
+    this.take(sketches);
+  }
+
+  take(sketches: readonly Sketch[]): void {
+    const before = this.shown;
+    this.shown = sketches.map((sketch, place) => {
+      const one = before[place];
+      const element = one?.sketch[0] === sketch[0] ? one.element : svg(sketch[0]);
+      if (element !== one?.element) {
+        if (one) one.element.replaceWith(element);
+        else this.into.append(element);
+      }
+      rewrite(element, element === one?.element ? one.sketch : [sketch[0], {}], sketch);
+      return { element, sketch };
+    });
+    for (const { element } of before.slice(sketches.length)) element.remove();
+  }
+}
+
+function rewrite(element: SVGElement, [, before, wordsBefore = ""]: Sketch, [, now, words = ""]: Sketch): void {
+  for (const name of Object.keys(before)) if (!(name in now)) element.removeAttribute(name);
+  for (const [name, value] of Object.entries(now)) if (before[name] !== value) element.setAttribute(name, String(value));
+  if (words !== wordsBefore) element.textContent = words;
+}
+
 /** Let children of an element read as others do; what is the same stays where it is, so that less is laid out anew. */
 export function renewChildren(shown: Element, next: readonly Node[]): void {
   const before = [...shown.childNodes];
@@ -69,8 +104,11 @@ function renew(shown: ChildNode, next: Node): void {
   if (shown.nodeName !== next.nodeName) {
     shown.replaceWith(next);
   } else if (shown instanceof Element && next instanceof Element) {
-    for (const { name } of [...shown.attributes]) if (!next.hasAttribute(name)) shown.removeAttribute(name);
-    for (const { name, value } of next.attributes) if (shown.getAttribute(name) !== value) shown.setAttribute(name, value);
+    for (const name of shown.getAttributeNames()) if (!next.hasAttribute(name)) shown.removeAttribute(name);
+    for (const name of next.getAttributeNames()) {
+      const value = next.getAttribute(name) as string;
+      if (shown.getAttribute(name) !== value) shown.setAttribute(name, value);
+    }
     renewChildren(shown, [...next.childNodes]);
   } else if (shown.nodeValue !== next.nodeValue) {
     shown.nodeValue = next.nodeValue;

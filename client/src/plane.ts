@@ -2,7 +2,7 @@
 
 import { type Figures, NumbersOf, titled } from "./charts.ts";
 import type { Bars, PolarDiagram, PagePolars, ShaftShapes, Stars, PageWear, Rays } from "./data.ts";
-import { html, picture, renewChildren, svg } from "./elements.ts";
+import { html, picture, type Sketch, Sketched, svg } from "./elements.ts";
 import { colour, methodPen } from "./ink.ts";
 import { at, between, extent, figure, figures, number, row, same, ticks } from "./numbers.ts";
 import type { Part, Shown } from "./curves.ts";
@@ -206,15 +206,16 @@ export function bars(part: Bars, numbers: string): Shown {
     return { heads: ["", now.unit], rows };
   });
   const element = html("figure", { class: "panel" }, titled(html("h3", {}, said(part.title)), below));
-  const drawn = hasBars(part) ? picture("bars", [0, 0, BARS, BARS_HIGH], ...barsOf(part)) : null;
-  if (drawn) element.append(drawn);
+  const drawing = picture("bars", [0, 0, BARS, BARS_HIGH], svg("title", {}, part.title));
+  const drawn = hasBars(part) ? new Sketched(drawing, barsOf(part)) : null;
+  if (drawn) element.append(drawing);
   for (const note of part.notes) element.append(html("figcaption", {}, said(note)));
   element.append(below.table);
   const take = (next: Part): boolean => {
     if (!drawn || next.is !== "Bars" || !hasBars(next) || !same(headOf(now), headOf(next))) return false;
     now = next;
     below.renew();
-    renewChildren(drawn, barsOf(next));
+    drawn.take(barsOf(next));
     return true;
   };
   return { element, show: () => undefined, fit: () => undefined, take };
@@ -229,7 +230,7 @@ const headOf = (part: Bars): unknown => [part.title, part.unit, part.names, part
 const hasBars = (part: Bars): boolean => part.low.values.some((low, place) => low !== at(part.high, place));
 
 /** Draw bars over their names or numbers. */
-function barsOf(part: Bars): SVGElement[] {
+function barsOf(part: Bars): Sketch[] {
   const [width, height, left, foot, top] = [BARS, BARS_HIGH, 46, part.names.length ? 34 : 22, 8];
   const n = part.across.values.length;
   const [low, high] = extent([0, ...part.low.values, ...part.high.values]);
@@ -241,16 +242,16 @@ function barsOf(part: Bars): SVGElement[] {
   const x = (value: number): number => left + ((value - start) / (end - start)) * (width - left - 6);
   const y = (value: number): number => top + ((ceiling - value) / (ceiling - bottom)) * (height - top - foot);
   const levels = ticks(bottom, ceiling, 4);
-  const grid = levels.flatMap((level) => [svg("line", { class: "grid", x1: left, x2: width - 6, y1: y(level), y2: y(level) }), svg("text", { class: "level", x: left - 6, y: y(level) }, figure(level, (levels[1] ?? 1) - (levels[0] ?? 0)))]);
+  const grid = levels.flatMap((level): Sketch[] => [["line", { class: "grid", x1: left, x2: width - 6, y1: y(level), y2: y(level) }], ["text", { class: "level", x: left - 6, y: y(level) }, figure(level, (levels[1] ?? 1) - (levels[0] ?? 0))]]);
   const wide = Math.abs(x(each) - x(0)) * 0.66;
-  const drawn = Array.from(part.across.values, (across, place) => {
+  const drawn = Array.from(part.across.values, (across, place): Sketch[] => {
     const [one, other] = [y(at(part.low, place)), y(at(part.high, place))];
     const looks = ["bar", part.is_filled[place] ? "filled" : "", place === part.framed ? "framed" : ""].join(" ");
-    const bar = svg("rect", { class: looks, x: x(across) - wide / 2, y: Math.min(one, other), width: wide, height: Math.abs(one - other) });
+    const bar: Sketch = ["rect", { class: looks, x: x(across) - wide / 2, y: Math.min(one, other), width: wide, height: Math.abs(one - other) }];
     const name = part.names.length ? (part.names[place] ?? "").split(".").pop() ?? "" : Number.isInteger(across) && across % (2 * Math.ceil(n / 24) - (n <= 12 ? 1 : 0)) === 0 ? `${across}` : "";
-    return name ? [bar, svg("text", { class: "name", x: x(across), y: height - foot + 14 }, name)] : [bar];
+    return name ? [bar, ["text", { class: "name", x: x(across), y: height - foot + 14 }, name]] : [bar];
   });
-  return [svg("title", {}, part.title), ...grid, ...drawn.flat(), svg("line", { class: "zero", x1: left, x2: width - 6, y1: y(0), y2: y(0) })];
+  return [...grid, ...drawn.flat(), ["line", { class: "zero", x1: left, x2: width - 6, y1: y(0), y2: y(0) }]];
 }
 
 /** Show shapes along a shaft. */
