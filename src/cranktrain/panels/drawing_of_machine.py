@@ -6,7 +6,7 @@ from itertools import takewhile
 import numpy as np
 from numpy.typing import ArrayLike
 
-from cranktrain.analysis import SpeedWanted
+from cranktrain.analysis import Result, SpeedWanted
 from cranktrain.errors import InputError, Problem, refuse
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
@@ -27,7 +27,7 @@ from cranktrain.panels.drawing import (
 from cranktrain.panels.throw_member import CylinderSizes, DrawnMechanism, cylinder_sizes, standing
 from cranktrain.plans.found_again import found_again
 from cranktrain.plans.placement import PlacedShafts, frame, place_called, placed, shaft_places, throw_of
-from cranktrain.plans.shown_loads import shown_loads
+from cranktrain.plans.shown_loads import ShownLoads, shown_loads
 from cranktrain.plans.stroke_lines import unit
 from cranktrain.plans.vectors import angle_of
 from cranktrain.saying.scales import scale_for
@@ -37,7 +37,12 @@ _PATH = np.linspace(0.0, 360.0, 121)
 
 
 def machine_drawing(
-    machine: Machine, at: ArrayLike, *, mechanism: str | None = None, speed: SpeedWanted = "constant"
+    machine: Machine,
+    at: ArrayLike,
+    *,
+    mechanism: str | None = None,
+    speed: SpeedWanted = "constant",
+    result: Result | None = None,
 ) -> MachineDrawing:
     """Give a machine's drawing.
 
@@ -50,6 +55,8 @@ def machine_drawing(
         Whose throw alone is drawn, by the mechanism's name or its cylinder's, with all that shares cylinders with it.
     speed : SpeedWanted
         By which some loads go; as `cranktrain.run` takes it.
+    result : Result, optional
+        Of the machine at this speed, where there is one: what it has is not found again.
 
     Returns
     -------
@@ -84,13 +91,14 @@ def machine_drawing(
         drawn.append(_drawn(member, sizes, travel))
         reached += [pin[:, : _PATH.size] for pin in member.turn_pins.values()]
     length = scale_for("m", 0.0)
+    loads = shown_loads(machine, places, speed, np.zeros(2), result) if places else None
     return MachineDrawing(
         name=machine.name,
         crank_angle=angles,
         shafts=tuple(_shafts(machine, places, shafts)),
         mechanisms=tuple(drawn),
         left_out=tuple(place.name for place in asked if place.shaft not in shafts.centres),
-        loads=tuple(_loads(machine, places, speed, angles)),
+        loads=() if loads is None else tuple(_loads(loads, angles)),
         bounds=_bounds(reached),
         unit=length.label,
         one=float(length.one),
@@ -215,13 +223,8 @@ def _shafts(machine: Machine, places: Sequence[PlacedMechanism], shafts: PlacedS
             yield ShaftDrawing(name, shafts.centres[name], name in shafts.assumed, sense)
 
 
-def _loads(
-    machine: Machine, places: Sequence[PlacedMechanism], speed: SpeedWanted, angles: Array
-) -> Iterator[LoadDrawing]:
+def _loads(loads: ShownLoads, angles: Array) -> Iterator[LoadDrawing]:
     """Loads of the file on some mechanisms."""
-    loads = shown_loads(machine, places, speed, np.zeros(2)) if places else None
-    if loads is None:
-        return
     for one in (*loads.at(angles), *loads.on_shafts_at(angles)):
         largest = loads.largest[one.is_torque]
         scale = scale_for("N*m" if one.is_torque else "N", largest)

@@ -92,9 +92,14 @@ def made_ready(machine: Machine, speed: SpeedWanted) -> LoadedMachine:
     """
     refuse_idle(machine)
     curve = speed_over_cycle(machine, speed)  # not on the coarse grid
-    found = run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",))
-    refuse_absent(found, ("driving_torque",))
-    return found[LoadedMachine]
+    return ready_in(run(machine, speed=curve or "constant", step_degrees=_STEP, quantities=("driving_torque",)))
+
+
+def ready_in(result: Result) -> LoadedMachine:
+    """Give the mechanisms of a result's machine with masses and gas, as `made_ready` does of a machine."""
+    refuse_idle(result.machines[0])
+    refuse_absent(result, ("driving_torque",))
+    return result[LoadedMachine]
 
 
 def refuse_idle(machine: Machine) -> None:

@@ -5,11 +5,11 @@ from functools import cached_property
 
 import numpy as np
 
-from cranktrain.analysis import SpeedWanted
+from cranktrain.analysis import Result, SpeedWanted
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
-from cranktrain.plans.acting import made_ready
+from cranktrain.plans.acting import made_ready, ready_in
 from cranktrain.plans.acting_loads import ActingLoad, acting_loads, loads_on_shafts
 from cranktrain.plans.placement import shaft_places
 from cranktrain.quantities import shown
@@ -85,6 +85,7 @@ def shown_loads(
     places: Sequence[PlacedMechanism],
     speed: SpeedWanted = "constant",
     origin: Array | None = None,
+    result: Result | None = None,
 ) -> ShownLoads | None:
     """Loads of the file on mechanisms that a picture shows.
 
@@ -96,6 +97,8 @@ def shown_loads(
         As `cranktrain.run` takes it.
     origin : Array, shape (2,), optional
         From where they are drawn, from the main shaft; the first one's shaft unless given. [m]
+    result : Result, optional
+        Of the machine at this speed, where there is one: what it has is not found again.
 
     Returns
     -------
@@ -106,4 +109,5 @@ def shown_loads(
     if not machine.loads or (main.speed is None and main.speed_curve is None) or machine.closing_problems:
         return None
     centre = shaft_places(machine).centres.get(places[0].shaft, np.zeros(2))
-    return ShownLoads(machine, made_ready(machine, speed), tuple(places), centre if origin is None else origin)
+    ready = made_ready(machine, speed) if result is None else ready_in(result)
+    return ShownLoads(machine, ready, tuple(places), centre if origin is None else origin)

@@ -212,7 +212,9 @@ def machine_page(result: Result, tab: str | None = None, saved: Result | None = 
             for title in titles
         ),
         trust=page_trust(result) if tab is None else None,
-        drawing=machine_drawing(machine, _evenly(result, _STEP), mechanism=throw[0].name if throw else None),
+        drawing=machine_drawing(
+            machine, _evenly(result, _STEP), mechanism=throw[0].name if throw else None, result=result
+        ),
         members=page_members_of(result, piston) if tab is None else None,
         pistons=page_pistons(result),
         throws=page_throws(machine),
