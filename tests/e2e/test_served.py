@@ -1,10 +1,12 @@
 """The service as a process: how soon it answers, how it ends, and what it does when one of its processes is gone."""
 
+import http.client
 import json
 import os
 import signal
 import time
 from urllib.error import HTTPError
+from urllib.parse import urlsplit
 from urllib.request import Request, urlopen
 
 import psutil
@@ -67,6 +69,26 @@ def test_it_answers_soon(tmp_path):
 
     assert is_done_within(3.0, first_page)
     assert is_done_within(10.0, first_answer)  # a second where nobody else is at the processors
+
+
+def test_what_a_browser_asks_one_after_the_other_is_sent_at_once(tmp_path):
+    """Where a server does not ask for that, the end of each answer waits up to 40 ms for the next to be confirmed."""
+    with served(tmp_path) as address:
+        connection = http.client.HTTPConnection(urlsplit(address).netloc, timeout=20)
+
+        def ask():
+            connection.request("GET", "/api/examples")
+            assert connection.getresponse().read()
+
+        def fifty():
+            since = time.monotonic()
+            for _each in range(50):
+                ask()
+            return time.monotonic() - since
+
+        ask()
+        assert is_done_within(1.0, fifty)  # two seconds where they wait
+        connection.close()
 
 
 @needs_signals

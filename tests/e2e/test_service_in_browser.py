@@ -57,6 +57,27 @@ def test_a_number_changes_what_is_shown_and_undo_brings_it_back(opened):
     settled(page, "mean piston speed", f"{expected:.2f}")
 
 
+@pytest.mark.parametrize("tab", ["Motion", "Largest forces", "Main bearings"])
+def test_what_takes_the_place_of_other_values_reads_as_on_a_new_page(opened, tab):
+    """Rows, bars and sheets stay where they stand and change: nothing of what was there before is left in them."""
+
+    def read(page):
+        page.evaluate("document.fonts.ready")
+        page.wait_for_timeout(300)
+        return page.evaluate("['.answers', '.sheets', '.stage'].map((one) => document.querySelector(one).innerHTML)")
+
+    page = opened(f"#machine=3d12&phi=40&tab={tab}")
+    page.locator(".answer tr").first.wait_for()
+    for speed in (1600, 900):
+        before = page.locator("p.head, .head p").first.inner_text()
+        typed(page, "speed", f"{speed} rpm")
+        page.wait_for_function("(old) => document.querySelector('.head p').textContent !== old", arg=before)
+    page.wait_for_url(re.compile("=900"))
+    again = opened(page.url[page.url.index("#") :])
+    again.locator(".answer tr").first.wait_for()
+    assert read(page) == read(again)
+
+
 def test_the_sentence_under_the_tabs_goes_along_and_is_said(opened):
     page = opened("#machine=3d12&phi=0")
     sentence = page.locator("p.sentence")

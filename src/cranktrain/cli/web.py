@@ -74,7 +74,7 @@ def _bound(host: str, port: int | None) -> socket.socket:
     except (socket.gaierror, UnicodeError):
         raise InputError([_no_host(host)]) from None
     for number in _ports(port):
-        # Known as one of TCP it sends each answer at once; else its last part waits until the first is confirmed, 40 ms.
+        # Only of one that is named as TCP's does asyncio send answers at once; else their last part waits up to 40 ms.
         one = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
         one.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:

@@ -68,11 +68,15 @@ def _names_in(kind: Any) -> tuple[str, ...]:
     return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else getattr(kind, "_fields", ())
 
 
+_AS_THEY_ARE = frozenset((NoneType, bool, int, str))
+"""Classes of what JSON has, too."""
+
+
 @cache
 def _way_to_pack(kind: Any) -> Callable[["_Packer", Any], object]:
     """How values of a class are packed."""
     ways: tuple[tuple[Any, Callable[[_Packer, Any], object]], ...] = (
-        ((NoneType, bool, int, str), lambda _packer, value: value),
+        (tuple(_AS_THEY_ARE), lambda _packer, value: value),
         (float, lambda _packer, value: value if isfinite(value) else None),
         (kind if _names_in(kind) else (), _Packer.record),
         ((tuple, list), _Packer.each),
@@ -103,7 +107,8 @@ class _Packer:
 
     def plain(self, value: Any) -> object:
         """Give a value as JSON has it."""
-        return _way_to_pack(cast(object, type(value)))(self, value)
+        kind: object = type(value)
+        return value if kind in _AS_THEY_ARE else _way_to_pack(kind)(self, value)
 
     def each(self, values: Sequence[Any]) -> object:
         """Give each of some values."""

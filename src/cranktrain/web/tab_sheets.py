@@ -1,6 +1,7 @@
 """Sheets under a title as a page draws them; those of one piston of the one that is chosen."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cache
 from importlib import import_module
 from inspect import signature
 from itertools import zip_longest
@@ -59,8 +60,14 @@ def sheet_makers(result: Result, title: str) -> Iterator[Callable[..., Any]]:
     for picture in (one for question in questions_under(result, title) for one in pictures_of(question.name)):
         if picture.over == "cycle" and all(name in result.catalogue for name in picture.needs):
             function = named(picture.home)
-            if get_type_hints(function).get("return") is Sheet:
+            if _makes_sheet(function):
                 yield function
+
+
+@cache
+def _makes_sheet(function: Callable[..., Any]) -> bool:
+    """Whether a picture is a sheet as data."""
+    return get_type_hints(function).get("return") is Sheet
 
 
 def questions_under(result: Result, title: str) -> list[Question]:

@@ -22,6 +22,7 @@ def vectors_of(question: str) -> tuple[str, ...]:
     return _found(question, "VECTORS")
 
 
+@cache
 def _found(question: str, name: str) -> tuple[Any, ...]:
     """Give what the folder of a question says; nothing where there is none, or it does not."""
     return tuple(getattr(import_module(f"{__name__}.{question}"), name, ())) if question in _folders() else ()
