@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import ClassVar, TypeVar
+from functools import cached_property
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from cranktrain.numerics.nested import leaves, side_by_side
 from cranktrain.record import record
 
 Outcome = TypeVar("Outcome", bound=tuple[object, ...])
+Found = TypeVar("Found")
 
 
 @record
@@ -74,6 +76,17 @@ class Mechanisms:
         """What the output of each is."""
         found = {member: batch.kind.output for batch in self.batches for member in batch.index.tolist()}
         return tuple(found[member] for member in range(len(self.names)))
+
+    @cached_property
+    def _found(self) -> dict[str, tuple[object, Any]]:
+        return {}
+
+    def once(self, name: str, part: object, find: Callable[[], Found]) -> Found:
+        """What is found of them and of one other part alone: once, as long as it is the same object."""
+        known = self._found.get(name)
+        if known is None or known[0] is not part:
+            known = self._found[name] = part, find()
+        return known[1]
 
     def motions(self, angle: Array) -> tuple[AnyMotion, ...]:
         """Motion of every mechanism, in the order of `batches`.

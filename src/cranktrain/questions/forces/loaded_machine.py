@@ -292,6 +292,10 @@ class LoadedMachine:
     @cached_property
     def travel_starts(self) -> dict[str, Array]:
         """Where the travel of each load begins by which its size goes, shape (design, 1, 1). [m or rad]"""
+        return {} if self.loads is None else self.mechanisms.once("travel_starts", self.loads, self._travel_starts)
+
+    def _travel_starts(self) -> dict[str, Array]:
+        """Find them."""
         return {
             load.name: extremes(
                 lambda phi, load=load: load.counts * self.load_way(load, phi).place,
