@@ -6,6 +6,7 @@ import { type Figures, NumbersOf, plain, titled } from "./charts.ts";
 import type { Curve, OtherCurve, PageCurves, PageSheet, Panel } from "./data.ts";
 import { html, svg, write } from "./elements.ts";
 import { canvasColour, type Ink, inkOf, LEVELS, PENS } from "./ink.ts";
+import { along } from "./lines.ts";
 import { extent, figure, figures, interpolated, number, read, same, ticks } from "./numbers.ts";
 import { fineness } from "./paper.ts";
 import { nearest, type Line } from "./nearest.ts";
@@ -497,19 +498,6 @@ class ShownPanel {
 
 /** The points of a curve in its panel. */
 const lineOf = (curve: Curve | OtherCurve, panel: Panel): Line => ({ across: (curve.across ?? panel.across).values, values: curve.values.values });
-
-/** Go along a line, in pieces where it has gaps. */
-function along(ink: CanvasRenderingContext2D, line: Line, x: (one: number) => number, y: (one: number) => number): void {
-  const { across, values } = line;
-  let isDown = false;
-  for (let place = 0; place < values.length; place++) {
-    const value = values[place] as number;
-    const isThere = Number.isFinite(value);
-    if (isThere && isDown) ink.lineTo(x(across[place] ?? NaN), y(value));
-    else if (isThere) ink.moveTo(x(across[place] ?? NaN), y(value));
-    isDown = isThere;
-  }
-}
 
 /** What takes values between two ends to where these stand, as `place` does; for many of them in less time. */
 function linear([low, high]: readonly [number, number], place: (value: number) => number): (value: number) => number {
