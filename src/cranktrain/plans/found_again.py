@@ -12,6 +12,7 @@ import numpy as np
 
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
+from cranktrain.motion import Array
 from cranktrain.numerics.sameness import is_same
 
 Found = TypeVar("Found")
@@ -69,17 +70,26 @@ class _Kept:
         **named: Given.kwargs,
     ) -> Found:
         """Give what was found, if all is the same to the last bit; else find it."""
-        what = (find, place.name, tuple(one.shape for one in given if isinstance(one, np.ndarray)))
+        what = (find, place.name, tuple(map(_shape, given)))
         known = self._last.pop(what, None)
         if known is None or not is_same(known[0], (place, given, named)):
             found = find(place, *given, **named)
             _fix(found)
-            own = tuple(one.copy() if isinstance(one, np.ndarray) else one for one in given)
-            known = (place, own, named), found
+            known = (place, tuple(map(_own, given)), named), found
         self._last[what] = known
         for old in list(self._last)[:-_MOST]:
             self._last.pop(old, None)
         return known[1]
+
+
+def _shape(value: object) -> tuple[int, ...] | None:
+    """Shape of an array; None of anything else."""
+    return cast("Array", value).shape if isinstance(value, np.ndarray) else None
+
+
+def _own(value: object) -> object:
+    """Give what nobody else writes to: a copy of an array; anything else as it is."""
+    return cast("Array", value).copy() if isinstance(value, np.ndarray) else value
 
 
 def _fix(value: object) -> None:

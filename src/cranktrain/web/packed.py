@@ -105,9 +105,9 @@ class _Packer:
         """All of them, one behind the other."""
         return np.concatenate(self._blocks) if self._blocks else np.empty(0, np.float32)
 
-    def plain(self, value: Any) -> object:
+    def plain(self, value: object) -> object:
         """Give a value as JSON has it."""
-        kind: object = type(value)
+        kind = type(value)
         return value if kind in _AS_THEY_ARE else _way_to_pack(kind)(self, value)
 
     def each(self, values: Sequence[Any]) -> object:
