@@ -5,7 +5,7 @@ compiled code all that is thrown away. A function ten calls deep is so optimised
 """
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 _OF_A_LIBRARY = (
     "add_linking_library",
@@ -69,11 +69,14 @@ def how_compiled() -> HowCompiled:
     class Whole(Own):
         """A function with all that it calls."""
 
-        def _optimize_final_module(self) -> None:
+        def all_passes_once(self) -> None:
             """Let all passes run once: the cheap ones before them are for counts of who holds arrays."""
-            made = self._codegen._module_pass_manager()
-            manager, *more = made if isinstance(made, tuple) else (made,)  # before Numba 0.62 there is no builder
+            made: Any = self._codegen._module_pass_manager()
+            # before Numba 0.62 there is no builder
+            manager, *more = cast("tuple[Any, ...]", made if isinstance(made, tuple) else (made,))
             manager.run(self._final_module, *more)
+
+        _optimize_final_module = all_passes_once  # so Numba calls it
 
         def add_linking_library(self, library: Any) -> None:
             """Take in what it calls, and of parts what these call."""

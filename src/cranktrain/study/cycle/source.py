@@ -189,12 +189,12 @@ def _cycle(structure: CycleStructure, of_volume: Sequence[str], imports: Imports
         gas=gas,
         fill="\n".join(indented(fill_lines(structure, imports), 4)),
         shown=shown,
-        told="\n".join(indented(_told(structure), 5)),
+        told="\n".join(indented(_telling(structure), 5)),
         repeats=repeats,
     ).splitlines()
 
 
-def _told(structure: CycleStructure) -> Iterator[str]:
+def _telling(structure: CycleStructure) -> Iterator[str]:
     """Lines that tell the facts that are asked for, and whether all of them are known."""
     for ask, call in _TOLD.items():
         if ask in structure.asks:
