@@ -136,7 +136,7 @@ def many_commands():
     gc.freeze()
     with (
         mock.patch("typer.main.get_command", cache(get_command)),
-        mock.patch("cranktrain.questions.start.starting._MOST_STEPS", MOST_STEPS),
+        mock.patch("cranktrain.questions.start.starting.MOST_STEPS", MOST_STEPS),
     ):
         yield
 

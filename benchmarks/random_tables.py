@@ -43,6 +43,9 @@ _UNITS = {
     "acceleration": "m/s²",
     "angular-acceleration": "rad/s²",
     "heat-transfer": "W/m²/K",
+    "bending-stiffness": "N·m²",
+    "frequency-of-vibration": "Hz",
+    "molar-mass": "kg/mol",
     "ratio": "",
 }
 
@@ -82,6 +85,9 @@ class Maker:
             "acceleration": 9.81,
             "angular-acceleration": self.speed**2,
             "heat-transfer": 500.0,
+            "bending-stiffness": 1e9 * self.size**4,
+            "frequency-of-vibration": 10 * self.speed,
+            "molar-mass": 0.029,
             "ratio": 1.0,
         }
         self.links: list[str] = []

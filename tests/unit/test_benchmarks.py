@@ -31,3 +31,21 @@ def test_stages_of_the_crankshaft_are_those_of_a_run(monkeypatch):
             np.testing.assert_allclose(np.rad2deg(value), getattr(result, name), rtol=4e-16, err_msg=name)
         else:
             np.testing.assert_array_equal(value, getattr(result, name), err_msg=name)
+
+
+def test_random_tables_can_say_whatever_the_schema_has(monkeypatch):
+    monkeypatch.syspath_prepend(BENCHMARKS)
+    from random_tables import SCHEMA, Maker
+
+    numbers = [name for name, one in SCHEMA["$defs"].items() if "-above-0" in name and "properties" not in one]
+    assert len(numbers) > 15
+    for name in numbers:
+        assert Maker(1).quantity(name) is not None, name
+
+
+def test_what_pays_for_thousands_of_commands_is_there(monkeypatch):
+    monkeypatch.syspath_prepend(BENCHMARKS)
+    from fuzz import many_commands
+
+    with many_commands():
+        assert ct.load("vaz_21213").name
