@@ -121,6 +121,22 @@ def test_a_signal_stops_without_a_trace(starting, tmp_path, number, status):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_ctrl_c_while_a_class_is_made_has_the_same_status(tmp_path):
+    """Dataclasses are made by running text; by itself Python then ends by the signal."""
+    program = """
+import sys
+from cranktrain.cli import app, main
+
+app.task = lambda _arguments: lambda: exec("raise KeyboardInterrupt")
+main(["list"])  # loads all that says it, of which classes are made, too
+sys.exit(main(["list"]))
+"""
+    (tmp_path / "interrupted.py").write_text(program, encoding="utf-8")
+    command = [sys.executable, "-m", "interrupted"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, encoding="utf-8", check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "stopped\n" * 2)
+
+
 @pytest.mark.parametrize(
     ("closed", "arguments", "status"),
     [("1", "run 3d12 -o out.csv", 2), ("1", "--help", 2), ("2", "run nothing", 2), ("2", "list", 0)],

@@ -83,6 +83,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except InputError as error:
         return _said(str(error), _BAD_INPUT)
     except KeyboardInterrupt:
+        # Python ends by the signal, in place of our status, where that came while source text ran, as classes are made
+        # of it, unless other text has run to its end since.
+        exec("")
         return _said(_("stopped"), _STOPPED)
     except _Ended as ended:
         _discard_output()
