@@ -160,7 +160,7 @@ def _together(cases: Sequence[StartCase]) -> Together:
     corners = [each_apart(case.corners, cycle).tolist() for case in cases]
     rows = [each_apart(case.rows, cycle).tolist() for case in cases]
     numbers = [
-        _numbers(case)._replace(machine=machine, n_corners=len(corner), n_rows=len(row))
+        _numbers(case, machine, len(corner), len(row))
         for case, machine, corner, row in zip(cases, own, corners, rows, strict=True)
     ]
     return Together(
@@ -182,7 +182,7 @@ def _filled(rows: Sequence[Sequence[Any]], nothing: Any) -> Array:
     return np.array([[*row, *[nothing] * (longest - len(row))] for row in rows], dtype=np.float64)
 
 
-def _numbers(case: StartCase) -> DesignNumbers:
+def _numbers(case: StartCase, machine: int, n_corners: int, n_rows: int) -> DesignNumbers:
     """Numbers of a design, in a row."""
     start, brake, stage = case.start, case.brake, in_one_stage(case.gearing)
     return DesignNumbers(
@@ -210,9 +210,9 @@ def _numbers(case: StartCase) -> DesignNumbers:
         drag=stage.drag,
         stage_inertia=stage.inertia,
         motor=stage.motor,
-        machine=0.0,
-        n_corners=0.0,
-        n_rows=0.0,
+        machine=machine,
+        n_corners=n_corners,
+        n_rows=n_rows,
     )
 
 
