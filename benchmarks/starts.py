@@ -135,7 +135,7 @@ def main():
 def time_of_a_turn(name):
     """Of an example at its steady speed, on its reduced machine. [s]"""
     case = over_time(ct.load(name), [StartCases])[StartCases].each[0]
-    motor = case.motor.motor.kernel
+    motor = case.motor.law.kernel
     numbers = in_one_row(case.machine)
     filled_at(case.zero, numbers)
     kernels = Kernels(reduced_machine, untimed(motor), case.motor.heat, no_brake, settle)

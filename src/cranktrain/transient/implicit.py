@@ -20,7 +20,7 @@ from cranktrain.transient.equation import (
     joined,
     train_of,
 )
-from cranktrain.transient.gearing import overall_ratio, turning_inertia
+from cranktrain.transient.gearing import turning_inertia
 from cranktrain.transient.rest import (
     HEAT_PANELS,
     heated,
@@ -34,7 +34,6 @@ from cranktrain.transient.step import N_STATE, ROW
 
 _STIFF = 1e-3
 """Slip time constant in parts of a turn, below which explicit steps are far shorter than the motion asks for."""
-_N_SPEEDS = 2001
 _AT_ONCE = 24
 """So many of the longest steps are a phase at most: between two the user is told, and steps are counted."""
 _CLOSER = 1e-3
@@ -43,34 +42,23 @@ _CLOSER_OVER_ROWS = 1e-2
 """Steps that err by less would follow every row of a load curve that they are to pass."""
 
 
-def slip_time_constant(
-    kernels: Kernels, drive: DriveTrain, top_speed: float, angles: Array, time: float = 0.0
-) -> float:
-    """Shortest time in which the motor's steepest fall brings its speed back. [s]
+def slip_time_constant(speed: Array, torque: Array, inertia: Array) -> Array:
+    """Shortest time in which the steepest fall of motors brings their speed back. [s]
 
     Parameters
     ----------
-    kernels : Kernels
-        Not compiled: of the motor plain Python is called.
-    drive : DriveTrain
-    top_speed : float
-        Of the motor: where it drives no more, or a little beyond. [rad/s]
-    angles : Array
-        Over which the least inertia is looked for. [rad]
-    time : float, optional
-        [s]
+    speed, torque : Array, shape (design, n)
+        Of the motors, so close that falls between are straight. [rad/s, N·m]
+    inertia : Array, shape (design,)
+        The least of all that turns, at the motor's shaft. [kg·m²]
 
     Returns
     -------
-    float
+    Array, shape (design,)
         (J_m + J/i²)/max(−dM/dω); of Kloss's formula (J_m + J/i²) ω_s s_b/(2 M_b). docs/theory/transient, eq. (26.17).
     """
-    speeds = np.linspace(0.0, top_speed, _N_SPEEDS)
-    torques = np.array([kernels.motor(float(speed), time, drive.motor) for speed in speeds])
-    steepest = float(np.max(-np.diff(torques) / np.diff(speeds)))
-    least = min(kernels.machine(float(angle), 0.0, 1.0, drive.machine)[0] for angle in angles)
-    whole = (turning_inertia(drive.gearing) + least) / overall_ratio(drive.gearing) ** 2
-    return whole / steepest if steepest > 0 else np.inf
+    steepest = np.max(-np.diff(torque) / np.diff(speed), axis=-1)
+    return np.where(steepest > 0, inertia / np.where(steepest > 0, steepest, 1.0), np.inf)
 
 
 def is_stiff(time_constant: float, crank_speed: float) -> bool:

@@ -130,13 +130,36 @@ def test_compiled_there_is_room_for_what_takes_more(monkeypatch):
             assert getattr(found, name)[place] == getattr(alone, name)
 
 
-def test_designs_of_several_machines_and_motors(monkeypatch):
-    """Each group is run together: strokes and sizes of motors that are mixed stand at their places."""
+def in_one_loop(machines):
+    """Whether they are one group of what is run together."""
+    ready = over_time_of_designs(machines, [ReadyStarts])[ReadyStarts]
+    return ready.in_short.groups(range(len(machines))) == [[*range(len(machines))]]
+
+
+def test_motors_of_other_sizes_run_in_one_loop(monkeypatch):
+    """With bores that are mixed with them; more than are run at once."""
     pytest.importorskip("numba")
     monkeypatch.setattr(road, "_COMPILING", 0.0)
-    sizes, bores = ("1.5 kW", "2.2 kW", "1.5 kW", "2.2 kW"), ("3.125 in", "3.125 in", "3 in", "3.125 in")
-    values = [{"drive.motor.size": size, "cylinder.bore": bore} for size, bore in zip(sizes, bores, strict=True)]
-    held_to_each_alone(ct.start(designs("compressor_start", *values)))
+    sizes, bores = ("1.5 kW", "2.2 kW", "3 kW", "2.2 kW"), ("3.125 in", "3.125 in", "3 in", "3.125 in")
+    each = [{"drive.motor.size": size, "cylinder.bore": bore} for size, bore in zip(sizes, bores, strict=True)]
+    values = [
+        one | {"drive.part.flywheel.inertia": f"{wheel} kg*m^2"}
+        for wheel in (0.05, 0.06, 0.07, 0.08, 0.09)
+        for one in each
+    ]
+    machines = designs("compressor_start", *values)
+    assert in_one_loop(machines)
+    held_to_each_alone(ct.start(machines))
+
+
+def test_motors_of_other_points_run_in_one_loop(monkeypatch):
+    pytest.importorskip("numba")
+    monkeypatch.setattr(road, "_COMPILING", 0.0)
+    motor = {"kind": "table", "speeds": ["0 rpm", "1200 rpm", "1500 rpm"], "inertia": "0.02 kg*m^2"}
+    torques = (["40 N*m", "60 N*m", "0 N*m"], ["50 N*m", "70 N*m", "0 N*m"], ["60 N*m", "50 N*m", "0 N*m"])
+    machines = designs("compressor_start", *({"drive.motor": {**motor, "torques": own}} for own in torques))
+    assert in_one_loop(machines)
+    held_to_each_alone(ct.start(machines))
 
 
 def test_machines_that_differ_run_in_one_loop(monkeypatch):
@@ -149,8 +172,7 @@ def test_machines_that_differ_run_in_one_loop(monkeypatch):
         for rod, bore, until in sizes
     ]
     machines = designs("compressor_start", *values)
-    ready = over_time_of_designs(machines, [ReadyStarts])[ReadyStarts]
-    assert ready.in_short.groups(range(len(machines))) == [[0, 1, 2, 3]]
+    assert in_one_loop(machines)
     held_to_each_alone(ct.start(machines))
 
 

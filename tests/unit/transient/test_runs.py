@@ -147,10 +147,12 @@ def test_overspeed_by_a_load_that_drives():
 
 
 def test_slip_time_constant_is_that_of_kloss():
-    drive = DriveTrain((1.8, 0.0, 0.0), MOTOR, 0.0, DIRECT)
-    found = slip_time_constant(CAGE, drive, SYNCHRONOUS, np.zeros(1))
-    assert found == pytest.approx(2.0 * SYNCHRONOUS * 0.2 / (2 * 95.0), rel=1e-3)
-    assert not is_stiff(found, SYNCHRONOUS)
+    speed = np.linspace(0.0, SYNCHRONOUS, 2001)
+    torque = np.array([kloss(own, MOTOR) for own in speed.tolist()])
+    found = slip_time_constant(np.stack([speed, speed]), np.stack([torque, 0 * torque]), np.array([2.0, 2.0]))
+    assert found[0] == pytest.approx(2.0 * SYNCHRONOUS * 0.2 / (2 * 95.0), rel=1e-3)
+    assert np.isinf(found[1])
+    assert not is_stiff(float(found[0]), SYNCHRONOUS)
     assert is_stiff(1e-6, SYNCHRONOUS)
 
 

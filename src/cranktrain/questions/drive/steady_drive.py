@@ -1,6 +1,7 @@
 """Steady running with the motor: speed, torques and losses over the cycle that repeats itself."""
 
 from collections.abc import Iterator
+from functools import cached_property
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -95,26 +96,40 @@ class SteadyDrive(Checked, Flagged):
 
 @record
 class SteadyCycles:
-    """The steady cycle of every design, with the drive as it turns there, and the speed that is declared.
+    """The steady cycle of every design: sought when it is first asked for, as many starts end before it.
 
     Attributes
     ----------
-    turning : tuple of DriveInTurn
-    found : tuple of SpeedOverTurn or None
-        None where there is none.
+    drives : tuple of DriveInTurn
+    machines : ReducedMachines
     held : Array, shape (design,)
         Speed of the crank that is declared; NaN without. [rad/s]
     """
 
-    turning: tuple[DriveInTurn, ...]
-    found: tuple[SpeedOverTurn | None, ...]
+    drives: tuple[DriveInTurn, ...]
+    machines: ReducedMachines
     held: Array
+
+    @property
+    def turning(self) -> tuple[DriveInTurn, ...]:
+        """The drive as it turns in the steady cycle."""
+        return tuple(turning for turning, _found in self._each)
+
+    @property
+    def found(self) -> tuple[SpeedOverTurn | None, ...]:
+        """The steady cycles; None where there is none."""
+        return tuple(found for _turning, found in self._each)
+
+    @cached_property
+    def _each(self) -> list[tuple[DriveInTurn, SpeedOverTurn | None]]:
+        held = [speed if speed > 0 else None for speed in self.held.tolist()]
+        return all_settled(self.drives, self.machines, held)
 
 
 def steady_cycles(
     drive: DeclaredDrive, motor: DeclaredMotor, machines: ReducedMachines, speed: Speed | None
 ) -> SteadyCycles:
-    """Find the steady cycle of every design.
+    """Make ready to find the steady cycle of every design.
 
     Notes
     -----
@@ -122,12 +137,11 @@ def steady_cycles(
     docs/theory/reduced-machine, eqs. (31.6) to (31.8).
     """
     held = np.full(len(drive.gearings), np.nan if speed is None else np.ravel(speed.value))
-    drives = [
+    drives = tuple(
         DriveInTurn(machines.each[design], own, design, gearing, is_held=own.is_free(0))
         for design, (own, gearing) in enumerate(zip(motor.of_each(), drive.gearings, strict=True))
-    ]
-    each = all_settled(drives, machines, [speed if speed > 0 else None for speed in held.tolist()])
-    return SteadyCycles(tuple(turning for turning, _found in each), tuple(found for _turning, found in each), held)
+    )
+    return SteadyCycles(drives, machines, held)
 
 
 def steady_drive(

@@ -1,4 +1,4 @@
-"""Starts of designs with one motor, one behind the other in a compiled loop, and their samples in rows.
+"""Starts of designs, one behind the other in a compiled loop, and their samples in rows.
 
 Each is run, and looked at, as `starting` does it with one alone: of both every number is the same to the last bit.
 """
@@ -7,12 +7,11 @@ import math
 from functools import cache
 from typing import Any
 
-from cranktrain.questions.start.case import Braking, Switching
+from cranktrain.questions.start.case import Braking
 from cranktrain.questions.start.rows_of_designs import (
     AFTER_SAMPLE,
     AFTER_STEP,
     ANGLE,
-    BACK,
     BACKWARD,
     BRAKE_TORQUE,
     BRAKED,
@@ -37,7 +36,6 @@ from cranktrain.questions.start.rows_of_designs import (
     N_ROWS,
     N_SAMPLES,
     N_STEPS,
-    OFF,
     ON_CRANK,
     OVERSPEED,
     PART_BEGAN,
@@ -66,6 +64,7 @@ from cranktrain.questions.start.samples_in_row import (
     lay_same,
     samples_within,
     states_from_steps,
+    switch_of,
     tell,
     times_to_look_at,
 )
@@ -171,7 +170,7 @@ def train_of(given: Any, design: int, room: Any, part: Any) -> TrainNumbers:
     own, began = given.designs[design], part[PART_BEGAN]
     return TrainNumbers(
         room.machine,
-        Switching(given.motor, own[OFF], own[BACK], began),
+        switch_of(given, design, began),
         Braking(own[BRAKE_TORQUE], own[BRAKED] - began, own[RISE_TIME]),
         BrakePlace(own[ON_CRANK], own[HOLDS]),
         OneStage(

@@ -49,6 +49,11 @@ class StartOrders(NamedTuple):
     interval: float
     tolerance: float
 
+    @property
+    def are_to_settle(self) -> bool:
+        """Whether a run ends where it turns as it will, as nothing else is asked for."""
+        return bool(np.all(np.isinf((self.duration, self.until_speed, self.motor_off, self.brake_on))))
+
 
 @record
 class DeclaredStart:

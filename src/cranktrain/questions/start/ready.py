@@ -73,7 +73,7 @@ def _start_case(
     start = parts.start.of(design)
     _refuse_pressure(machine, start.gas_pressure, parts.start.texts.get("gas_pressure", ""))
     corners, rows = corners_and_rows(machines.corners[design], machines.misses[design], machines.cycle, start.tolerance)
-    found = None if steady is None else steady.found[design]
+    found = steady.found[design] if steady is not None and start.are_to_settle else None
     cycle_time = np.nan if found is None else found.period
     return StartCase(
         machine=machine,

@@ -80,7 +80,8 @@ class Together(NamedTuple):
     ----------
     machines : Array, shape (machine, number)
         Of each once, and as it is with its valves held open where it begins so.
-    motor : NamedTuple of floats
+    motors : tuple of NamedTuples of floats
+        Of each, filled up to `AT_ONCE`: their number is part of their type, and a loop is compiled for one.
     corners, rows : Array, shape (design, n)
         As of `StartCase`, filled up. [rad]
     cycle : float
@@ -96,7 +97,7 @@ class Together(NamedTuple):
     """
 
     machines: Array
-    motor: Any
+    motors: tuple[Any, ...]
     corners: Array
     rows: Array
     cycle: float

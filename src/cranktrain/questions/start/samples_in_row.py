@@ -54,7 +54,7 @@ def times_to_look_at(kernels: Any, given: Any, design: int, room: Any, n_parts: 
     if end / own[INTERVAL] > len(room.samples):
         return 0
     n_asked = 0 if own[INTERVAL] == math.inf else math.floor(end / own[INTERVAL] + 1)
-    n_close = close_times_of(kernels, given, own, room, n_parts)
+    n_close = close_times_of(kernels, given, design, room, n_parts)
     if n_close < 1 or N_EVEN + n_asked + n_close > len(room.samples):
         return 0
     step = end / (N_EVEN - 1)
@@ -79,9 +79,9 @@ def times_to_look_at(kernels: Any, given: Any, design: int, room: Any, n_parts: 
     return n_found
 
 
-def close_times_of(kernels: Any, given: Any, own: Any, room: Any, n_parts: int) -> int:
+def close_times_of(kernels: Any, given: Any, design: int, room: Any, n_parts: int) -> int:
     """The same of times at which steps end, and closer ones where the motor's torque changes quickly."""
-    motor = Switching(given.motor, own[OFF], own[BACK], 0.0)
+    own, motor = given.designs[design], switch_of(given, design, 0.0)
     n_steps, largest, is_known = int(room.parts[n_parts - 1, AFTER_STEP]), 0.0, True
     if n_steps > len(room.table):
         return 0
@@ -109,6 +109,12 @@ def close_times_of(kernels: Any, given: Any, own: Any, room: Any, n_parts: int) 
     return n_found
 
 
+def switch_of(given: Any, design: int, began: float) -> Switching:
+    """A design's motor with its switch, as a part of its run from a time on has it."""
+    own = given.designs[design]
+    return Switching(given.motors[design], own[OFF], own[BACK], began)
+
+
 def states_from_steps(room: Any, n_parts: int, n_samples: int) -> None:
     """Lay down the states of all parts at the samples, by their steps."""
     n_rows = 0
@@ -130,7 +136,7 @@ def tell(kernels: Any, given: Any, design: int, room: Any, told: Any, n_parts: i
     """Tell a design's samples from a row on, times counted on and works added up; gives how many, less for no room."""
     own, row = given.designs[design], first
     machine = given.machines[int(own[MACHINE])]
-    motor = Switching(given.motor, own[OFF], own[BACK], 0.0)
+    motor = switch_of(given, design, 0.0)
     lay_same(0.0, room.start)
     for which in range(n_parts):
         part = room.parts[which]

@@ -14,7 +14,7 @@ from cranktrain.questions.reduction.unloaded import with_open_valves
 from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.case import StartCase, Switching, start_kernels
 from cranktrain.questions.start.curves import at_times, close_times, curves_of, each_once, numbers_from
-from cranktrain.questions.start.method import Runs, method_of
+from cranktrain.questions.start.method import Runs, methods_of
 from cranktrain.questions.start.notes import start_notes
 from cranktrain.questions.start.record import (
     GasOverTime,
@@ -77,7 +77,7 @@ def run_start(case: StartCase, asked_for: StartAsked) -> StartRun:
 
 def ran_start(case: StartCase, asked_for: StartAsked) -> RanStart:
     """Run a start: to its end, and once more for the states on the way where its steps do not tell them."""
-    run = method_of(case)
+    run = methods_of([case])[0]
     first = list(_runs(case, run, _NO_TIMES, np.inf, asked_for.progress, keeps_steps=True))
     last = first[-1][1]
     end = first[-1][0].start + last.end_time

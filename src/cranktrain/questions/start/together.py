@@ -15,7 +15,7 @@ from cranktrain.questions.start.asked import MovingParts, StartAsked
 from cranktrain.questions.start.case import StartCase, StartCases, start_kernels
 from cranktrain.questions.start.in_row import row_of_starts
 from cranktrain.questions.start.many import rows_of_one
-from cranktrain.questions.start.method import method_of
+from cranktrain.questions.start.method import methods_of
 from cranktrain.questions.start.record import RanFacts, RanRows, ReadyStarts, StartRun, StartsInShort
 from cranktrain.questions.start.rows_of_designs import (
     MOST_MARKS,
@@ -80,14 +80,15 @@ def _case_of(cases: StartCases, design: int) -> StartCase:
 
 
 def _in_groups(cases: StartCases, designs: Sequence[int]) -> list[list[int]]:
-    """Designs that can be run together, in their order: of one motor that is not stiff, machines of as many numbers."""
+    """Designs that can be run together, in their order: of motors that are not stiff, machines of as many numbers."""
     each = ((design, cases.each[design]) for design in designs)
-    fit = ((design, case) for design, case in each if isinstance(case, StartCase) and method_of(case) is run)
-    return list(grouped((_in_common(case), design) for design, case in fit).values())
+    ready = {design: case for design, case in each if isinstance(case, StartCase)}
+    fit = zip(ready.items(), methods_of([*ready.values()]), strict=True)
+    return list(grouped((_in_common(case), design) for (design, case), method in fit if method is run).values())
 
 
 def _in_common(case: StartCase) -> tuple[object, ...]:
-    return id(case.motor), lines_of(case.gearing).shape, sum(part.size for part in map(np.asarray, case.machine))
+    return lines_of(case.gearing).shape, sum(part.size for part in map(np.asarray, case.machine))
 
 
 def _ran_together(cases: StartCases, designs: Sequence[int]) -> Iterator[RanRows | None]:
@@ -165,7 +166,7 @@ def _together(cases: Sequence[StartCase]) -> Together:
     ]
     return Together(
         np.stack(machines),
-        cases[0].motor_numbers,
+        tuple(case.motor_numbers for case in cases) + (cases[-1].motor_numbers,) * (AT_ONCE - len(cases)),
         _filled(corners, np.inf),
         _filled(rows, np.inf),
         float(cycle),
