@@ -83,8 +83,10 @@ ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1"}
 """As the terminal has it: threads of BLAS that only wait take half as much again as the imports."""
 FEW, TIMES, STEP = 50, 4, 30.0
 """Designs of a run; as many runs of so few as one of all; the step of their crank angles. [1, 1, °]"""
-WHEEL, WHEELS, N_STARTS, ALONE = "drive.part.flywheel.inertia", (0.05, 0.15), 1000, 10
-"""What differs in starts, from one end to the other [kg·m²]; how many; how many of them are run alone."""
+INERTIAS = {"drive.part.flywheel.inertia": (0.05, 0.15), "drive.motor.inertia": (0.003, 0.005)}
+"""What differs in starts, of the machine and of its motor, from one end to the other. [kg·m²]"""
+N_STARTS, ALONE = 1000, 10
+"""How many starts; how many of them are run alone."""
 LEAST_TIME = 0.02
 """Of a piece of work, which is done as often as fills it. [s]"""
 
@@ -224,8 +226,10 @@ def _in_columns(machine, designs):
 def of_starts(example):
     """Times of all starts as users ask for them, compiled, and of one alone, plain; without what compiles; once. [s]"""
     machine = ct.load(example)
-    wheels = np.linspace(*WHEELS, N_STARTS).tolist()
-    designs = [machine.with_({WHEEL: f"{inertia!r} kg*m^2"}) for inertia in wheels]
+    each = zip(*(np.linspace(*ends, N_STARTS).tolist() for ends in INERTIAS.values()), strict=True)
+    designs = [
+        machine.with_({path: f"{one!r} kg*m^2" for path, one in zip(INERTIAS, own, strict=True)}) for own in each
+    ]
     facts_of_starts(designs[:3], n_all=10 * N_STARTS)  # which compiles
     start = process_time()
     ct.start(designs)

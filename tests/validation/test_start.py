@@ -24,9 +24,9 @@ def kloss(breakdown, slip, synchronous, inertia):
     }
 
 
-def test_start_of_the_reference_crank_rocker():
-    case = ReferenceCase.load("startup_crank_rocker")
-    own = case.machine
+def reference(**start):
+    """The machine of `startup_crank_rocker`, and how it starts."""
+    own = ReferenceCase.load("startup_crank_rocker").machine
     drive = {
         "motor": kloss(
             own["breakdown_torque_Nm"],
@@ -35,14 +35,14 @@ def test_start_of_the_reference_crank_rocker():
             own["motor_rotor_inertia_kgm2"],
         ),
         "stage": [{"ratio": own["gear_ratio"]}],
-        "start": {
-            "angle": f"{own['crank_angle_0_rad']} rad",
-            "duration": f"{own['t_end_s']} s",
-            "interval": "10 ms",
-            "tolerance": 1e-10,
-        },
+        "start": {"angle": f"{own['crank_angle_0_rad']} rad", "duration": f"{own['t_end_s']} s", **start},
     }
-    found = ct.start(machine(drive=drive))
+    return machine(drive=drive)
+
+
+def test_start_of_the_reference_crank_rocker():
+    case = ReferenceCase.load("startup_crank_rocker")
+    found = ct.start(reference(interval="10 ms", tolerance=1e-10))
     assert found.time.size == case.document["expected"]["rows"]
     case.compare(
         {

@@ -1,9 +1,11 @@
 """Facts of starts of many designs: made ready together, run one by one or compiled, and nothing else of them kept."""
 
 import os
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from functools import partial
+from itertools import chain
 from multiprocessing import parent_process
 from time import perf_counter
 from typing import Any, NamedTuple
@@ -73,12 +75,17 @@ def facts_of_starts(
     """
     gathered, kept = Gathered(len(machines)), KeptOutcomes()
     n_left = len(machines) if n_all is None else n_all
-    for first in range(0, len(machines), MOST_AT_ONCE):
-        say_how_far(partial(_how_far, first, len(machines)))
-        block = slice(first, min(first + MOST_AT_ONCE, len(machines)))
-        own = None if columns is None else some_rows(columns, block)
-        places = range(block.start, block.stop)
-        _add_block(gathered, _Block(places, machines, own, kept), wanted, max(n_left - first, len(places)))
+    under_way: Iterable[_Begun] = ()
+    with _threads() as pool:
+        for first in range(0, len(machines), MOST_AT_ONCE):
+            say_how_far(partial(_how_far, first, len(machines)))
+            block = slice(first, min(first + MOST_AT_ONCE, len(machines)))
+            own = None if columns is None else some_rows(columns, block)
+            places = range(block.start, block.stop)
+            begun = _begun(_Block(places, machines, own, kept), wanted, max(n_left - first, len(places)), pool)
+            _add(gathered, under_way, wanted)
+            under_way = begun
+        _add(gathered, under_way, wanted)
     return gathered.found()
 
 
@@ -111,26 +118,40 @@ def _how_far(done: int, n_starts: int) -> Words:
     return said.format(done=done, all=n_starts)
 
 
-def _add_block(gathered: Gathered, block: _Block, wanted: Sequence[str] | None, n_left: int) -> None:
-    """Compute starts of designs that are made ready together; one by one where that refuses some of them."""
+class _Begun(NamedTuple):
+    """Starts that are under way, or what is wrong with the only one: those that have ended, some at a time."""
+
+    places: range
+    stages: Sequence[Stage]
+    made: "Iterable[tuple[Sequence[int], _Made]]"
+    refused: Problem | None = None
+
+
+def _begun(block: _Block, wanted: Sequence[str] | None, n_left: int, pool: ThreadPoolExecutor) -> list[_Begun]:
+    """Make designs ready together, one by one where that refuses some of them, and begin what threads run."""
     try:
         known: Mapping[type, Any] = block.known()
     except InputError as error:
         if len(block.places) == 1:
-            gathered.refused[block.places[0]] = error.problems[0]
-            return
-        for own in block.alone():
-            _add_block(gathered, own, wanted, n_left)
-        return
+            return [_Begun(block.places, (), (), error.problems[0])]
+        return [begun for own in block.alone() for begun in _begun(own, wanted, n_left, pool)]
     ready: ReadyStarts = known[ReadyStarts]
     stages = _stages_of_facts(block.machines[block.places[0]], known, wanted)
     in_short = ready.in_short if {stage.gives for stage in stages} <= {StartFacts, StartEvents} else None
-    for designs, made in _each_made(ready, stages, len(block.places), n_left, in_short):
-        places = [block.places[design] for design in designs]
-        for place, reason in zip(places, made.reasons, strict=True):
-            gathered.refused[place], gathered.ended[place] = made.refused, reason
-        if made.refused is None:
-            _add_facts(gathered, places, made.given, stages, wanted)
+    return [_Begun(block.places, stages, _each_made(ready, stages, len(block.places), n_left, in_short, pool))]
+
+
+def _add(gathered: Gathered, begun: Iterable[_Begun], wanted: Sequence[str] | None) -> None:
+    """Lay what becomes of starts to their places."""
+    for one in begun:
+        if one.refused is not None:
+            gathered.refused[one.places[0]] = one.refused
+        for designs, made in one.made:
+            places = [one.places[design] for design in designs]
+            for place, reason in zip(places, made.reasons, strict=True):
+                gathered.refused[place], gathered.ended[place] = made.refused, reason
+            if made.refused is None:
+                _add_facts(gathered, places, made.given, one.stages, wanted)
 
 
 def _add_facts(
@@ -186,9 +207,14 @@ class _Made(NamedTuple):
 
 
 def _each_made(
-    ready: ReadyStarts, stages: Sequence[Stage], n_designs: int, n_left: int, in_short: StartsInShort | None
-) -> Iterator[tuple[Sequence[int], _Made]]:
-    """Starts of all designs, some at a time: in plain Python one by one, or compiled together, on several threads."""
+    ready: ReadyStarts,
+    stages: Sequence[Stage],
+    n_designs: int,
+    n_left: int,
+    in_short: StartsInShort | None,
+    pool: ThreadPoolExecutor,
+) -> Iterable[tuple[Sequence[int], _Made]]:
+    """Starts of all designs, some at a time: compiled together, begun at once, or plain, each when it is asked for."""
 
     def alone(design: int) -> tuple[Sequence[int], _Made]:
         try:
@@ -203,16 +229,17 @@ def _each_made(
             return [design], _Made({}, [""], error.problems[0])
 
     left, is_first = list(range(n_designs)), False
+    first, compiled = list[tuple[Sequence[int], _Made]](), iter(list[tuple[Sequence[int], _Made]]())
     if in_short is not None and in_short.kernels not in _compiled and is_there("numba"):
         since = perf_counter()
-        yield alone(left.pop(0))
+        first.append(alone(left.pop(0)))
         is_first = _is_worth_compiling(in_short.kernels, (perf_counter() - since) * (n_left - 1))
     if in_short is not None and (is_first or in_short.kernels in _compiled):
         with np.errstate(all="ignore"):
             groups = in_short.groups(left)
             left = sorted(set(left).difference(*groups))
-            yield from _together(in_short, groups, alone, is_first=is_first)
-    yield from map(alone, left)
+            compiled = _together(in_short, groups, alone, pool, is_first=is_first)
+    return chain(first, compiled, map(alone, left))
 
 
 def _of_rows(ran: RanRows) -> _Made:
@@ -228,10 +255,11 @@ def _together(
     in_short: StartsInShort,
     groups: Sequence[Sequence[int]],
     alone: Callable[[int], tuple[Sequence[int], _Made]],
+    pool: ThreadPoolExecutor,
     *,
     is_first: bool,
 ) -> Iterator[tuple[Sequence[int], _Made]]:
-    """Run groups of designs compiled, by several threads; the first of all alone, as it compiles or loads."""
+    """Begin groups of designs, compiled, on several threads; the first of all alone, as it compiles or loads."""
     each = [group[at : at + AT_ONCE] for group in groups for at in range(0, len(group), AT_ONCE)]
 
     def some(designs: Sequence[int]) -> list[tuple[Sequence[int], _Made]]:
@@ -244,22 +272,27 @@ def _together(
                 first += n_designs
         return made
 
+    first = list[tuple[Sequence[int], _Made]]()
     if is_first and each:
         with uncollected():
             first = some(each.pop(0))
-        yield from first
         _compiled.add(in_short.kernels)
-    with ThreadPoolExecutor(_n_threads()) as pool:
-        try:
-            for made in pool.map(some, each):
-                yield from made
-        finally:
-            pool.shutdown(cancel_futures=True)
+    return chain(first, chain.from_iterable(pool.map(some, each)))
 
 
 def _is_worth_compiling(kernels: Kernels, seconds: float) -> bool:
     """Whether plain starts that take so long in all are better compiled; what is kept on disk is sooner there."""
     return seconds > _COMPILING or (seconds > _LOADING and is_kept(row_of_starts(kernels)))
+
+
+@contextmanager
+def _threads() -> Generator[ThreadPoolExecutor]:
+    """Threads for what is compiled; what nobody has begun when something stops them is not begun."""
+    with ThreadPoolExecutor(_n_threads()) as pool:
+        try:
+            yield pool
+        finally:
+            pool.shutdown(cancel_futures=True)
 
 
 def _n_threads() -> int:
