@@ -176,7 +176,7 @@ OFF = 1 + 1e-6
         ("rod_forces", WHOLE, "forces.rods_in_pistons", "rod_forces", 1),
         ("piston_pins", WHOLE, "forces.rods_in_pistons", "inertia_force", None),
         ("torque", WHOLE, "forces.mechanism_torques", "torque_by_work", None),
-        ("work", {**WHOLE, **ENGINE}, "torque.sources", "driving_torques", None),
+        ("work", {**WHOLE, **ENGINE}, "forces.solved_cycle", "driving_torques", None),
         (
             "load_work",
             simple(load={"push": {"on": "piston", "force": "1 kN"}}),
@@ -184,7 +184,7 @@ OFF = 1 + 1e-6
             "driving_torques",
             None,
         ),
-        ("section_torque", WHOLE, "crankshaft.results.section_torques", "driving_torques", None),
+        ("section_torque", WHOLE, "forces.solved_cycle", "driving_torques", None),
         ("bearing_loads", WHOLE, "crankshaft.results.main_bearing_loads", "on_axis", "force"),
         ("momentum", WHOLE, "balance.frame_forces", "momentum", "x"),
         ("drive_energy", DRIVEN, "drive.steady_drive", "overall_ratio", None),

@@ -136,7 +136,7 @@ def whole_machine(torque, speed, load: dict[str, Any] | None = None, **evenness:
     balancing, angle = known[Balancing], known[CrankAngle]
     applied = applied_torque(torques, known[LoadedMachine], angle)
     rest = applied.applied_torque[:, np.newaxis]
-    sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), *np.zeros((2, 1)))
+    sources = TorqueSources((), rest, *np.zeros((2, *rest[:, 0].shape)), *np.zeros((2, 1)), angle.cycle)
     given = None
     if LoadsOnShafts in known:
         loads = known[LoadsOnShafts]

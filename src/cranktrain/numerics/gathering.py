@@ -1,5 +1,6 @@
-"""What several have, gathered where it acts, as that of the cylinders on each throw."""
+"""What several have, put and gathered where it acts, as that of the cylinders on each throw."""
 
+from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
@@ -35,3 +36,16 @@ def gathered(values: NDArray[Number], place: NDArray[np.intp], n_places: int) ->
     for one, there in enumerate(place.tolist()):
         found[..., there, :] += values[..., one, :]
     return found
+
+
+def in_even_steps(places: list[int]) -> list[int] | slice:
+    """Give places that follow one another in even steps as a slice: what stands there is taken in less time.
+
+    Examples
+    --------
+    >>> in_even_steps([2, 5, 8]), in_even_steps([2, 5, 7])
+    (slice(2, 9, 3), [2, 5, 7])
+    """
+    steps = {after - before for before, after in pairwise(places)} or {1}
+    is_even = len(places) > 0 and len(steps) == 1 and min(steps) > 0
+    return slice(places[0], places[-1] + 1, min(steps)) if is_even else places

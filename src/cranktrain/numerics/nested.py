@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cranktrain.motion import Array
+from cranktrain.numerics.gathering import in_even_steps
 
 Nested = TypeVar("Nested", bound=tuple[object, ...])
 
@@ -82,8 +83,9 @@ def side_by_side(found: Sequence[tuple[NDArray[np.intp], Nested]], shape: tuple[
 
 def put(of_all: Iterable[Array], place: NDArray[np.intp], values: Iterable[Array]) -> None:
     """Put curves of some, each of shape (design, one, ...), at their places in those of all, which are changed."""
+    there = in_even_steps(place.tolist())
     for whole, part in zip(of_all, values, strict=True):
-        whole[:, place] = part
+        whole[:, there] = part
 
 
 def filled(parts: Nested, arrays: Iterator[Array]) -> Nested:

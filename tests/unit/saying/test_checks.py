@@ -131,7 +131,7 @@ def test_reactions_that_are_a_little_wrong_are_found(mechanism, masses, joint):
     force = np.max(np.hypot(result.joint_force_x, result.joint_force_y))
     arm = 0.05 if joint else 0.6
     wrong = group.forces._replace(driving_torque=group.forces.driving_torque + 1e-9 * force * arm)
-    falsified = SolvedCycle((group._replace(forces=wrong),))
+    falsified = SolvedCycle(loaded, (group._replace(forces=wrong),))
     (check,) = mechanism_torques(loaded, falsified, forces_times_arms(loaded, falsified), None, angle).checks
     assert str(check.verdict()) == "does not hold"
 

@@ -71,7 +71,7 @@ def shaft_balance(
     -----
     docs/theory/evenness, eq. (17.17).
     """
-    machine = np.sum(sources.mean(crank_angle.cycle), axis=-1)
+    machine = np.sum(sources.mean, axis=-1)
     powers, constant = powers_of(loads.given, len(machine))
     rising = sum(one.torque(speed.value[:, 0])[:, 0] for one in powers)
     taken = constant + sum(map(mean_of, listed(loads.given))) + rising

@@ -74,9 +74,9 @@ def shaft_work(
     By quadrature between events, with a node at each; by Fourier series where there is none.
     docs/theory/evenness, eqs. (17.2) and (17.17).
     """
-    mean, taken = np.sum(sources.mean(crank_angle.cycle), axis=-1), None if given is None else given.work
+    mean, taken = np.sum(sources.mean, axis=-1), None if given is None else given.work
     if applied.is_smooth and taken is None:
-        work = fourier_curve(sources.applied_work(crank_angle.shown, crank_angle.cycle), crank_angle.cycle)
+        work = fourier_curve(sources.applied_work(crank_angle.shown), crank_angle.cycle)
         inertia = fourier_curve(torques.reduced_inertia, crank_angle.cycle)
     else:
         corners = () if given is None else given.corners
@@ -147,7 +147,7 @@ def applied_work(
     between = quintic_curve(known, cycle).motion(nodes.breaks)
     carried = Coefficient(*(np.concatenate(parts, axis=-1) for parts in zip(known, between, strict=True)))
     every = np.concatenate([np.broadcast_to(crank_angle.shown, known.value.shape), nodes.breaks], axis=-1)
-    before, after = sources.applied_beside(crank_angle.shown, nodes.breaks, cycle)
+    before, after = sources.applied_beside(crank_angle.shown, nodes.breaks)
     if np.any(sources.kept):
         before, after = (
             _added(done, _kept(carried, _square(speed, every, side, crank_angle)))

@@ -20,16 +20,18 @@ def largest_in_joints(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> A
 class ForcesTimesArms:
     """What the joints of each mechanism could do to the shaft at most, shape (design, mechanism).
 
-    value: [N·m]; force: largest in any of them [N].
+    value: [N·m]; force: largest in any of them [N]; reach: how far its links' farthest pin is from the origin [m].
     """
 
     value: Array
     force: Array
+    reach: Array
 
 
 def forces_times_arms(loaded: LoadedMachine, solved: SolvedCycle) -> ForcesTimesArms:
     """The largest force by the longest way of pins for a turn of 1 rad, and the largest moment by the fastest turn."""
     found: list[Array] = []
+    reaches: list[Array] = []
     forces = [_largest_force(one) for one in solved.batches]
     for batch, one, force in zip(loaded.mechanisms.batches, solved.batches, forces, strict=True):
         links = batch.kind.dynamics.links(one.motion, batch.members.geometry)
@@ -37,18 +39,8 @@ def forces_times_arms(loaded: LoadedMachine, solved: SolvedCycle) -> ForcesTimes
         turn = _largest(np.abs(link.angle.first) for link in links)
         moment = _largest(np.abs(joint.moment) for joint in one.forces.joints)
         found.append(force * way + moment * turn)
-    return ForcesTimesArms(loaded.in_order(found), loaded.in_order(forces))
-
-
-def farthest_places(loaded: LoadedMachine, solved: SolvedCycle) -> Array:
-    """How far the farthest pin of each mechanism's links is from the origin, shape (design, mechanism). [m]"""
-    links = (
-        batch.kind.dynamics.links(one.motion, batch.members.geometry)
-        for batch, one in zip(loaded.mechanisms.batches, solved.batches, strict=True)
-    )
-    return loaded.in_order(
-        np.sqrt(_largest(link.origin.x.value**2 + link.origin.y.value**2 for link in own)) for own in links
-    )
+        reaches.append(np.sqrt(_largest(link.origin.x.value**2 + link.origin.y.value**2 for link in links)))
+    return ForcesTimesArms(*map(loaded.in_order, (found, forces, reaches)))
 
 
 def _largest_force(one: SolvedBatch) -> Array:

@@ -66,7 +66,7 @@ def mechanism_torques(
     -----
     docs/theory/forces, eqs. (13.4) to (13.7).
     """
-    by_reactions = driving_torques(loaded, solved.batches)
+    by_reactions = solved.driving_torque
     shape = by_reactions.shape
     by_work = np.empty(shape)
     inertia, slope = np.zeros((2, shape[0], shape[-1]))
@@ -108,25 +108,3 @@ def reduced_batches(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Ite
     """
     for batch, made, one in zip(loaded.mechanisms.batches, loaded.masses.batches, solved, strict=True):
         yield batch.kind.dynamics.reduced(one.motion, batch.members.geometry, made.bodies, one.loads, made.gravity)
-
-
-def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
-    """Torque that must be applied at each mechanism's crank, by the reactions.
-
-    Parameters
-    ----------
-    loaded : LoadedMachine
-    solved : sequence of SolvedBatch
-        What `LoadedMachine.solved` gave.
-
-    Returns
-    -------
-    Array, shape (design, mechanism, n)
-        A slave's comes through its master's crank pin: 0 for itself. [N·m]
-    """
-    shape = solved[0].forces.driving_torque.shape
-    torque = np.zeros((shape[0], len(loaded.mechanisms.names), shape[-1]))
-    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
-        is_own = loaded.carriers.master[batch.index] < 0
-        torque[:, batch.index[is_own]] = one.forces.driving_torque[:, is_own]
-    return torque

@@ -1,6 +1,7 @@
 """Forces of every mechanism on the grid of crank angles, and how joints, guides and their edges are taken of them."""
 
 from collections.abc import Callable, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.layout.mechanisms import Batch
 from cranktrain.linkage.forces import EdgeForces, edge_forces
 from cranktrain.motion import Array
+from cranktrain.numerics.gathering import in_even_steps
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.motion.grid_motion import GridMotion
@@ -19,9 +21,15 @@ from cranktrain.record import record
 
 @record
 class SolvedCycle:
-    """Forces of every mechanism on the grid of crank angles; nothing that people read as it is."""
+    """Forces of every mechanism of a machine on the grid of crank angles; nothing that people read as it is."""
 
+    loaded: LoadedMachine
     batches: tuple[SolvedBatch, ...]
+
+    @cached_property
+    def driving_torque(self) -> Array:
+        """Torque that must be applied at each mechanism's crank, shape (design, mechanism, n). [N·m]"""
+        return driving_torques(self.loaded, self.batches)
 
 
 def solved_cycle(
@@ -29,7 +37,29 @@ def solved_cycle(
 ) -> SolvedCycle:
     """Solve the machine on its grid; docs/theory/forces, eqs. (13.1) to (13.3)."""
     gas_force = None if gas is None else gas.gas_force
-    return SolvedCycle(loaded.solved(crank_angle.angle, gas_force=gas_force, motions=motion.batches))
+    return SolvedCycle(loaded, loaded.solved(crank_angle.angle, gas_force=gas_force, motions=motion.batches))
+
+
+def driving_torques(loaded: LoadedMachine, solved: Sequence[SolvedBatch]) -> Array:
+    """Torque that must be applied at each mechanism's crank, by the reactions.
+
+    Parameters
+    ----------
+    loaded : LoadedMachine
+    solved : sequence of SolvedBatch
+        What `LoadedMachine.solved` gave.
+
+    Returns
+    -------
+    Array, shape (design, mechanism, n)
+        A slave's comes through its master's crank pin: 0 for itself. [N·m]
+    """
+    shape = solved[0].forces.driving_torque.shape
+    torque = np.zeros((shape[0], len(loaded.mechanisms.names), shape[-1]))
+    for batch, one in zip(loaded.mechanisms.batches, solved, strict=True):
+        is_own = loaded.carriers.master[batch.index] < 0
+        torque[:, batch.index[is_own]] = one.forces.driving_torque[:, is_own]
+    return torque
 
 
 def force_size(x: Array, y: Array) -> Array:
@@ -61,10 +91,11 @@ def parts_of(
     parts = {where: values(*where) for where in alike}
     found = np.empty((len(next(iter(parts.values()))), n_designs, len(members), n_angles))
     for where, places in alike.items():
-        own = [members[place].member for place in places]
+        own = in_even_steps([members[place].member for place in places])
+        there = in_even_steps(places)
         shape = solved[where[0]].forces.driving_torque.shape
         for whole, part in zip(found, parts[where], strict=True):
-            whole[:, places] = (part if np.shape(part) == shape else np.broadcast_to(part, shape))[:, own]
+            whole[:, there] = (part if np.shape(part) == shape else np.broadcast_to(part, shape))[:, own]
     return found
 
 

@@ -9,33 +9,42 @@ from cranktrain.layout.shafts import Shafts
 from cranktrain.motion import Array
 from cranktrain.numerics.gathering import gathered
 from cranktrain.questions.forces.loaded_machine import LoadedMachine, SolvedBatch
-from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.peaks import MachineCurves
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.questions.forces.solved_cycle import SolvedCycle, driving_torques
 from cranktrain.record import record
 
 
 @record
 class TorqueCurves(MachineCurves):
-    """Torque of the machine, the same against it, and its size in every journal."""
+    """Torque of the machine, the same against it, and its size in every journal.
+
+    passed: what journals pass on, on the grid, shape (design, journal, n). [N·m]
+    """
+
+    passed: Array
 
 
 def torque_curves(loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts) -> TorqueCurves:
     """Torque of all mechanisms, that against it, and its size in the journals."""
-    curves = partial(_curves, loaded, shafts)
-    samples = curves(solved.batches)
+    passed = _passed_torques(solved.driving_torque, shafts)
+    samples = _curves(solved.driving_torque, passed)
     of_all = np.array([-1] * samples.shape[1], dtype=np.intp)
-    return TorqueCurves(of_all, samples, curves)
+    return TorqueCurves(of_all, samples, partial(_curves_at, loaded, shafts), passed=passed)
 
 
-def _curves(loaded: LoadedMachine, shafts: Shafts, found: Sequence[SolvedBatch]) -> Array:
-    """What `TorqueCurves` holds, of mechanisms that are solved at any angles."""
+def _curves_at(loaded: LoadedMachine, shafts: Shafts, found: Sequence[SolvedBatch]) -> Array:
+    """What `TorqueCurves` has on the grid, of mechanisms that are solved at any angles."""
     driving = driving_torques(loaded, found)
+    return _curves(driving, _passed_torques(driving, shafts))
+
+
+def _curves(driving: Array, passed: Array) -> Array:
+    """Put the curves together of what must drive each mechanism and of what journals pass on."""
     whole = np.sum(driving, axis=1, keepdims=True)
-    return np.concatenate([-whole, whole, np.abs(passed_torques(driving, shafts))], axis=1)
+    return np.concatenate([-whole, whole, np.abs(passed)], axis=1)
 
 
-def passed_torques(driving: Array, shafts: Shafts) -> Array:
+def _passed_torques(driving: Array, shafts: Shafts) -> Array:
     """Torque that every journal passes on, from what must drive each mechanism, shape (design, journal, n)."""
     rows: list[Array] = []
     for shaft, n_throws in enumerate(shafts.n_throws):

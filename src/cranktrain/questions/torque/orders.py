@@ -54,7 +54,7 @@ class TorqueOrders(StageResult):
 def torque_orders(sources: TorqueSources, torques: ShaftTorques, crank_angle: CrankAngle) -> TorqueOrders:
     """Harmonics of the torque of all mechanisms together, by quadrature between events; rounding has no phase."""
     order = orders(crank_angle.cycle)
-    vectors = sources.orders(np.concatenate([[0.0], order]), crank_angle.cycle)[:, 1:]
+    vectors = sources.orders(np.concatenate([[0.0], order]))[:, 1:]
     found = from_vectors(order, vectors)
     largest = np.max(np.abs(torques.machine_torque), axis=-1, keepdims=True)
     is_rounding = found.amplitude <= _NOTHING * np.maximum(largest, torques.gross[:, np.newaxis])

@@ -5,6 +5,7 @@ what is left of the torque is smooth. Where something rubs, the whole machine is
 """
 
 from collections.abc import Iterator
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -27,8 +28,8 @@ from cranktrain.numerics.harmonics import TURN, ComplexArray, harmonics, phasor
 from cranktrain.numerics.periodic import fourier_integral, quintic_curve
 from cranktrain.questions.forces.events import ForceEvents, breaks_at_speed
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.mechanism_torques import MechanismTorques, driving_torques, reduced_batches
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
+from cranktrain.questions.forces.mechanism_torques import MechanismTorques, reduced_batches
+from cranktrain.questions.forces.solved_cycle import SolvedCycle, driving_torques
 from cranktrain.questions.gas.chambers import GasInChambers
 from cranktrain.questions.gas.events import GasEvents
 from cranktrain.questions.gas.pressures import GasPressures
@@ -100,6 +101,8 @@ class TorqueSources:
         Work that inertia takes over a cycle: none, but for one moment of acceleration ∮Jε dφ. [J]
     surplus : Array, shape (design,)
         What the integral of the sources takes beyond that: where the crank comes to rest, ε goes like a root. [J]
+    cycle : float
+        [rad]
     """
 
     sources: tuple[Source, ...]
@@ -108,9 +111,12 @@ class TorqueSources:
     kept: Array
     spent: Array
     surplus: Array
+    cycle: float
 
-    def mean(self, cycle: float) -> Array:
+    @cached_property
+    def mean(self) -> Array:
         """Mean torque on every shaft, shape (design, shaft). [N·m]"""
+        cycle = self.cycle
         # At a speed that varies equal steps see work in the inertia that it does not do.
         wrong = self.inertia.mean(axis=-1) - np.where(np.any(self.inertia, axis=-1), self.spent / cycle, 0.0)
         wrong = wrong + self.surplus / cycle
@@ -120,20 +126,18 @@ class TorqueSources:
             np.add.at(found[one.design], one.shafts, own)
         return found
 
-    def orders(self, order: Array, cycle: float) -> ComplexArray:
+    def orders(self, order: Array) -> ComplexArray:
         """Amplitudes c_k of the torque of all shafts, Re Σ c_k e^{ikφ}, φ as shown, shape (design, order). [N·m]
 
         Parameters
         ----------
         order : Array, shape (order,)
             The first ones of the cycle, from 0 on in equal steps.
-        cycle : float
-            [rad]
         """
-        smooth = harmonics(self.rest.sum(axis=1), cycle).vectors[..., : order.size]
+        smooth = harmonics(self.rest.sum(axis=1), self.cycle).vectors[..., : order.size]
         found = np.zeros((len(smooth), order.size), dtype=np.complex128)
         found[:, : smooth.shape[-1]] = smooth
-        share = np.where(order > 0, 2.0, 1.0) / cycle
+        share = np.where(order > 0, 2.0, 1.0) / self.cycle
         for one in self.sources:
             # Orders are multiples of the first.
             waves = np.empty((order.size, one.subintervals.angle.size), dtype=np.complex128)
@@ -144,24 +148,22 @@ class TorqueSources:
             found[one.design] += own * np.sum(phasor(-order * one.starts[:, np.newaxis]), axis=0)
         return found
 
-    def applied_work(self, shown: Array, cycle: float) -> Array:
+    def applied_work(self, shown: Array) -> Array:
         """Work of the torque of all shafts without inertia, less its mean, from the grid's first angle to each.
 
         Parameters
         ----------
         shown : Array, shape (n,)
             The grid. [rad]
-        cycle : float
-            [rad]
 
         Returns
         -------
         Array, shape (design, n). [J]
         """
-        found = fourier_integral(self.rest.sum(axis=1) + self.inertia, cycle).samples + self.kept
+        found = fourier_integral(self.rest.sum(axis=1) + self.inertia, self.cycle).samples + self.kept
         step = float(shown[1] - shown[0])
         for one in self.sources:
-            values = one.without_mean(cycle)
+            values = one.without_mean(self.cycle)
             for aside, late in one.in_steps(step):
                 whole = integral_to(one.subintervals, values, shown - aside * step)
                 for steps in late:
@@ -169,7 +171,7 @@ class TorqueSources:
                     found[one.design] += laid - laid[0]
         return found
 
-    def applied_beside(self, shown: Array, breaks: Array, cycle: float) -> tuple[Coefficient, Coefficient]:
+    def applied_beside(self, shown: Array, breaks: Array) -> tuple[Coefficient, Coefficient]:
         """Work as `applied_work` has it, but for `kept`, with its derivatives on both sides of grid and some breaks.
 
         Parameters
@@ -178,14 +180,12 @@ class TorqueSources:
             The grid. [rad]
         breaks : Array, shape (design, m)
             As shown. [rad]
-        cycle : float
-            [rad]
 
         Returns
         -------
         before, after : Coefficient, shape (design, n + m)
         """
-        torque = self.rest.sum(axis=1) + self.inertia
+        torque, cycle = self.rest.sum(axis=1) + self.inertia, self.cycle
         torque = torque - np.mean(torque, axis=-1, keepdims=True)
         smooth = Coefficient(
             fourier_integral(torque, cycle).samples, torque, spectral_derivative(torque) * (TURN / cycle)
@@ -222,26 +222,26 @@ def torque_sources(
     torques: MechanismTorques,
 ) -> TorqueSources:
     """Take the torque apart; docs/theory/harmonics-and-orders, eq. (15.17)."""
-    by_shaft = gathered(-driving_torques(loaded, solved.batches), shafts.shaft, len(shafts.names))
+    by_shaft = gathered(-solved.driving_torque, shafts.shaft, len(shafts.names))
     drive = Drive(*(part[:, 0] for part in loaded.speed.drive(crank_angle.angle)))
     nothing = np.zeros_like(by_shaft[:, 0])
-    spent = np.zeros(len(by_shaft))
+    spent, cycle = np.zeros(len(by_shaft)), crank_angle.cycle
     if loaded.speed.curve is not None and loaded.speed.curve.moment is not None:
         each = torques.reduced_inertia * loaded.speed.curve.moment[:, 0]
-        spent = each.mean(axis=-1) * crank_angle.cycle
+        spent = each.mean(axis=-1) * cycle
     if loaded.jumps:
         energy = torques.reduced_inertia * drive.speed**2 / 2
         whole, seen = _of_machines(loaded, shafts, crank_angle, events)
         kept = energy - energy[..., :1]
-        return TorqueSources(tuple(whole), np.zeros_like(by_shaft), nothing, kept, spent, seen - spent)
+        return TorqueSources(tuple(whole), np.zeros_like(by_shaft), nothing, kept, spent, seen - spent, cycle)
     equation = Reduced(ReducedInertia(torques.reduced_inertia, torques.reduced_inertia_slope), ZERO)
     inertia = torque_by_work(equation, drive)
     if loaded.gas is None or gas_events is None or gas is None or motion is None:
-        return TorqueSources((), by_shaft, inertia, nothing, spent, np.zeros_like(spent))
+        return TorqueSources((), by_shaft, inertia, nothing, spent, np.zeros_like(spent), cycle)
     own = shafts.shaft[loaded.carriers.driven]
     rest = by_shaft - gathered(gas.gas_force * motion.piston_displacement.first, own, len(shafts.names))
     sources = _of_chambers(loaded.gas, gas_events, crank_angle, own)
-    return TorqueSources(tuple(sources), rest, inertia, nothing, spent, np.zeros_like(spent))
+    return TorqueSources(tuple(sources), rest, inertia, nothing, spent, np.zeros_like(spent), cycle)
 
 
 def _of_machines(

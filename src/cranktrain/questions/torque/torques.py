@@ -13,10 +13,9 @@ from cranktrain.numerics import Peak
 from cranktrain.numerics.gathering import gathered
 from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.peaks import ForcePeaks, one_sided, without_rounding
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
-from cranktrain.questions.forces.torque_curves import TorqueCurves, passed_torques
+from cranktrain.questions.forces.torque_curves import TorqueCurves
 from cranktrain.questions.torque.sources import TorqueSources
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_FORCES as _THEORY
@@ -103,10 +102,9 @@ def shaft_torques(
     A mechanism's crank angle counts in its own shaft's sense and all shafts turn alike fast, so the torques of all
     simply add up to what the main shaft feels. docs/theory/forces, eq. (13.38).
     """
-    by_mechanism = -driving_torques(loaded, solved.batches)
-    by_shaft = gathered(by_mechanism, shafts.shaft, len(shafts.names))
+    by_shaft = gathered(-solved.driving_torque, shafts.shaft, len(shafts.names))
     whole = by_shaft.sum(axis=1)
-    mean = np.sum(sources.mean(crank_angle.cycle), axis=-1)
+    mean = np.sum(sources.mean, axis=-1)
     gross = times_arms.value.sum(axis=-1)
     largest, opposite, in_journals = (
         Peak(*(part[:, rows] for part in peaks.of(curves))) for rows in (0, 1, slice(2, None))
@@ -151,15 +149,12 @@ class JournalTorques(StageResult):
     )
 
 
-def journal_torques(
-    loaded: LoadedMachine, solved: SolvedCycle, shafts: Shafts, torques: ShaftTorques
-) -> JournalTorques:
+def journal_torques(shafts: Shafts, curves: TorqueCurves, torques: ShaftTorques) -> JournalTorques:
     """Torque along every shaft: journal 1 stands before throw 1 and passes nothing, the last one passes all.
 
     What a gear takes or brings is reckoned at the flywheel's end. docs/theory/harmonics-and-orders, eq. (15.13).
     """
-    passed = passed_torques(driving_torques(loaded, solved.batches), shafts)
-    return JournalTorques(passed, torques.in_journals, labels={"journal": shafts.journals})
+    return JournalTorques(curves.passed, torques.in_journals, labels={"journal": shafts.journals})
 
 
 @record
@@ -193,7 +188,7 @@ def gear_torques(shafts: Shafts, torques: ShaftTorques, sources: TorqueSources, 
     """
     other = np.arange(len(shafts.names)) != shafts.main
     passed = np.where(other[:, np.newaxis], torques.shaft_torque, np.nan)
-    mean = sources.mean(crank_angle.cycle)
+    mean = sources.mean
     total = np.sum(mean, axis=-1, keepdims=True)
     peak = np.max(np.abs(torques.shaft_torque), axis=(1, 2))[:, np.newaxis]
     return GearTorques(

@@ -5,9 +5,8 @@ import numpy as np
 from cranktrain.language import N_, _
 from cranktrain.layout.crank_angle import CrankAngle
 from cranktrain.motion import Array
-from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms, farthest_places
+from cranktrain.questions.forces.forces_times_arms import ForcesTimesArms
 from cranktrain.questions.forces.loaded_machine import LoadedMachine
-from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.questions.gas.pressures import GasPressures
 from cranktrain.questions.loads.load_work import LoadWork
 from cranktrain.questions.torque.sources import TorqueSources
@@ -44,7 +43,6 @@ class LoadBalance(Checked):
 
 def load_balance(
     loaded: LoadedMachine,
-    solved: SolvedCycle,
     times_arms: ForcesTimesArms,
     loads: LoadWork,
     pressures: GasPressures | None,
@@ -58,41 +56,33 @@ def load_balance(
     if pressures is not None:
         works = np.concatenate([works, pressures.work_over(crank_angle)], axis=-1)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of loads and gas")
-    residual, reasons = loaded.judged(_apart(works, loaded, solved, times_arms, sources, crank_angle))
+    residual, reasons = loaded.judged(_apart(works, times_arms, sources))
     return LoadBalance(checks=(Check("load_work", sentence, residual, _LIMIT, reasons),))
 
 
-def _apart(
-    works: Array,
-    loaded: LoadedMachine,
-    solved: SolvedCycle,
-    times_arms: ForcesTimesArms,
-    sources: TorqueSources,
-    crank_angle: CrankAngle,
-) -> Array:
+def _apart(works: Array, times_arms: ForcesTimesArms, sources: TorqueSources) -> Array:
     """By how much the torque's work is off those of what acts, in parts of their size, shape (design,).
 
     What inertia takes at a moment of acceleration, the shaft does not get.
     """
-    done = np.sum(sources.mean(crank_angle.cycle), axis=-1) * crank_angle.cycle + sources.spent
-    return np.abs(done - works.sum(axis=-1)) / _work_size(works, loaded, solved, times_arms)
+    done = np.sum(sources.mean, axis=-1) * sources.cycle + sources.spent
+    return np.abs(done - works.sum(axis=-1)) / _work_size(works, times_arms)
 
 
-def _work_size(works: Array, loaded: LoadedMachine, solved: SolvedCycle, times_arms: ForcesTimesArms) -> Array:
+def _work_size(works: Array, times_arms: ForcesTimesArms) -> Array:
     """What works are to be compared with, shape (design,). [J]
 
     They may be none, and what works on the shaft may cancel: that leaves rounding of forces times arms. Where links are
     far longer than the stroke their places are rounded, and the way that is left of them.
     """
     on_the_way = times_arms.value.sum(axis=1)
-    there = np.sum(times_arms.force * farthest_places(loaded, solved), axis=1)
+    there = np.sum(times_arms.force * times_arms.reach, axis=1)
     size = np.maximum(np.sum(np.abs(works), axis=-1), np.maximum(_SHARE * on_the_way, _FAR * there))
     return np.where(size > 0, size, 1.0)
 
 
 def work_balance(
     loaded: LoadedMachine,
-    solved: SolvedCycle,
     times_arms: ForcesTimesArms,
     pressures: GasPressures,
     sources: TorqueSources,
@@ -111,5 +101,5 @@ def work_balance(
         return WorkBalance(total)
     sentence = _("Work of the torque by the reactions, by quadrature, against that of the gas")
     works = pressures.work_over(crank_angle)
-    residual, reasons = loaded.judged(_apart(works, loaded, solved, times_arms, sources, crank_angle))
+    residual, reasons = loaded.judged(_apart(works, times_arms, sources))
     return WorkBalance(total, checks=(Check("work", sentence, residual, _LIMIT, reasons),))

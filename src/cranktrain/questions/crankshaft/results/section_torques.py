@@ -20,7 +20,6 @@ from cranktrain.questions.crankshaft.results.torque_of_shafts import (
     torques_of_loads,
 )
 from cranktrain.questions.crankshaft.shaft_layout import ShaftLayout
-from cranktrain.questions.forces.mechanism_torques import driving_torques
 from cranktrain.questions.forces.solved_cycle import SolvedCycle
 from cranktrain.record import record
 from cranktrain.references import THEORY_OF_CRANKSHAFT as _THEORY
@@ -129,7 +128,7 @@ def section_torques(
         least_section_torque=least,
         section_torque_range=most.value - least.value,
         labels={"section": tuple(name for shaft in loaded.each for name in _names(shaft.layout, loaded.shafts))},
-        checks=(_check(loaded, acting, driving_torques(loaded.loaded, solved.batches)),),
+        checks=(_check(loaded, acting, solved.driving_torque),),
     )
 
 
