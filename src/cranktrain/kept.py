@@ -3,7 +3,7 @@
 That a table is the same is told by the object that holds it, never by its values: 1 is equal to true.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping
 from typing import Any, cast
 
 from cranktrain.errors import InputError
@@ -11,7 +11,10 @@ from cranktrain.spec import Spec, SpecType
 
 
 def read_like(
-    checked: SpecType, data: Mapping[str, Any], before: Mapping[str, Any], found: Mapping[str, Sequence[str]]
+    checked: SpecType,
+    data: Mapping[str, Any],
+    before: Mapping[str, Any],
+    found: Mapping[str, Mapping[str, Collection[str]]],
 ) -> SpecType:
     """Read the tables of a file of which another was read before, and are the same but in some places.
 
@@ -22,8 +25,9 @@ def read_like(
     data : mapping
         The tables; all that was not changed is shared with `before`.
     before : mapping
-    found : mapping of str to sequence of str
-        What a spec finds when it is asked, and the tables on which that rests, nothing else.
+    found : mapping of str to mapping of str
+        What a spec finds when it is asked, and the tables on which that rests, nothing else; of tables by name, which
+        of their keys say nothing of it.
 
     Returns
     -------
@@ -41,9 +45,24 @@ def read_like(
     except InputError:  # of which more is told where tables are read than where specs stand in their place
         changed = type(checked)(**data)
     for name, tables in found.items():
-        if name in vars(checked) and all(data.get(table) is before.get(table) for table in tables):
+        same = (_is_same(data.get(table), before.get(table), beside) for table, beside in tables.items())
+        if name in vars(checked) and all(same):
             vars(changed)[name] = vars(checked)[name]
     return changed
+
+
+def _is_same(value: object, before: object, beside: Collection[str]) -> bool:
+    """Whether a value is the same object as before, or tables by name differ in some keys of theirs at most."""
+    if value is before:
+        return True
+    if not (beside and isinstance(value, dict) and isinstance(before, dict)):
+        return False
+    tables, old = cast("tuple[dict[str, dict[str, object]], ...]", (value, before))
+    return tables.keys() == old.keys() and all(
+        table.get(key) is old[name].get(key)
+        for name, table in tables.items()
+        for key in {*table, *old[name]} - set(beside)
+    )
 
 
 def _with_kept(checked: Spec, data: Mapping[str, Any], before: Mapping[str, Any]) -> dict[str, Any]:

@@ -25,7 +25,7 @@ from cranktrain.layout.masses import Weighed
 from cranktrain.layout.places import PlacedMechanism, places_of
 from cranktrain.layout.question import Question
 from cranktrain.layout.shaft_problems import bank_problems, layout_problems, shaft_problems
-from cranktrain.layout.specs import MAIN, BankSpec, OpposedPistonSpec, ShaftSpec
+from cranktrain.layout.specs import MAIN, TURNING, BankSpec, OpposedPistonSpec, ShaftSpec
 from cranktrain.layout.unit_tables import unit_problems
 from cranktrain.mechanisms import KINDS, AnyMechanism
 from cranktrain.motion import Array
@@ -39,9 +39,9 @@ from cranktrain.spec import Spec, problems, with_tuples
 from cranktrain.spec_class import listed_property
 from cranktrain.typed_file import TypedFile
 
-ARRANGING = ("angle", "bank", "mechanism", "running", "shaft")
-_RESTS_ON = {"arranged": ARRANGING, "kinds": ARRANGING, "closing_problems": (*ARRANGING, "crank_zero", "units")}
-"""What of it is found from some tables alone."""
+_PLACED = {**dict.fromkeys(("angle", "bank", "mechanism", "running"), ()), "shaft": TURNING}
+_RESTS_ON = {"arranged": _PLACED, "kinds": _PLACED, "closing_problems": {**_PLACED, "crank_zero": (), "units": ()}}
+"""What of it is found from some tables alone, and which of their keys say nothing of it."""
 
 
 class Machine(Spec, frozen=True):

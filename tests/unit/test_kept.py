@@ -140,6 +140,8 @@ def test_what_was_found_of_the_same_tables_is_not_found_again():
     machine = ct.load("3d12")
     places = machine.places
     assert machine.with_({"gas.cut_off_ratio": "1.4"}).places is places
+    for changed in ({"speed": "1600 rpm"}, {"speed": "1 rpm", "acceleration": "1 rpm/s"}):
+        assert machine.with_({f"shaft.main.{key}": value for key, value in changed.items()}).places is places
     for path, value in {"shaft.main.throws[1]": "120 deg", "running": "astern", "bank.R.stagger": "1 mm"}.items():
         assert "arranged" not in vars(machine.with_({path: value})), path
     zeroed = machine.with_({"crank_zero": "Y"})

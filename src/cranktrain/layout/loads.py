@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Collection, Container, Iterator, Sequence
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import ClassVar, NamedTuple, TypeAlias
 
 import numpy as np
@@ -362,23 +362,12 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
     name, given, dimension = (
         ("travel", spec.travel, Dimension.LENGTH) if spec.swing is None else ("swing", spec.swing, Dimension.ANGLE)
     )
-    load = _link_load(partial(by_design, n_designs=1), "", spec, 0, place)
-
-    def way(phi: Array) -> LoadWay:
-        return _way(load, place, phi + place.phase, place.geometry)
-
-    turn = np.ravel(way(np.array([0.0, 2 * np.pi])).place)
-    if not abs(turn[-1] - turn[0]) < 1.0:
+    if (whole := _whole_travel(spec, place)) is None:
         allowed = _("is for what goes to and fro, and this turns all round; list the sizes over crank_angles")
         yield Problem(f"{where}.{name}", None, allowed)
         return
-    with np.errstate(invalid="ignore"):
-        around = way(np.linspace(0.0, 2 * np.pi, _AROUND)).place
-    if not np.all(np.isfinite(around)):
-        return  # told as links that do not close
-    if not given:
+    if not (given and np.isfinite(whole)):  # links that do not close are told as such
         return
-    whole = float(np.ravel(travel_of(way))[0])
     if given[0].si != 0.0:
         yield Problem(f"{where}.{name}[0]", given[0].text, _("must be 0, where the travel begins"))
     is_card, off = spec.file is not None, given[-1].si - whole
@@ -388,6 +377,21 @@ def _travel_problems(where: str, spec: LoadSpec, place: PlacedMechanism) -> Iter
             allowed = _("must go as far as the part goes, {whole}, or within 2 % of that, to be stretched")
         allowed = allowed.format(whole=precise(whole, unit_of(given[-1], dimension)))
         yield Problem(f"{where}.{name}" if is_card else f"{where}.{name}[{len(given) - 1}]", given[-1].text, allowed)
+
+
+@lru_cache(16)  # of a machine of which another number is set anew the same places are asked again
+def _whole_travel(spec: LoadSpec, place: PlacedMechanism) -> float | None:
+    """How far a load's point travels over a turn; NaN where links do not close, None of what turns all round."""
+    load = _link_load(partial(by_design, n_designs=1), "", spec, 0, place)
+
+    def way(phi: Array) -> LoadWay:
+        return _way(load, place, phi + place.phase, place.geometry)
+
+    with np.errstate(invalid="ignore"):
+        around = np.ravel(way(np.linspace(0.0, 2 * np.pi, _AROUND)).place)
+    if not abs(around[-1] - around[0]) < 1.0:
+        return None
+    return float(np.ravel(travel_of(way))[0]) if np.all(np.isfinite(around)) else np.nan
 
 
 def of_member(link: Link, member: int) -> Link:

@@ -39,6 +39,10 @@ MOST_MECHANISMS = 1000
 """Throws of a shaft, and mechanisms of a machine: more than anybody has built, and as many as memory holds."""
 
 
+TURNING = ("speed", "acceleration", "speed_curve", "motion")
+"""What of a shaft says how it turns, and nothing of where anything stands on it."""
+
+
 class ShaftSpec(Spec, frozen=True):
     """A crankshaft: throw angles ahead of throw 1, gaps between throws along it; of `main` how it turns.
 
