@@ -11,6 +11,7 @@ from cranktrain.layout.speed import SpeedCurve, rates
 from cranktrain.linkage.forces import Drive
 from cranktrain.mechanisms.drawing import Drawing
 from cranktrain.motion import Array, Coefficient, Point
+from cranktrain.panels.shapes import peak
 from cranktrain.panels.throw_member import standing
 from cranktrain.plans.placement import placed, shaft_places
 from cranktrain.plans.turning import turning
@@ -130,7 +131,7 @@ def _number(drawing: Drawing, mechanism: str, name: str, known: list[MovingPin],
 
 def are_one(one: Array, other: Array) -> bool:
     """Whether two pins never come apart where both are known; X and Y over crank angles. [m]"""
-    return bool(np.nanmax(np.abs(one - other), initial=0.0) < _ALIKE)
+    return peak(one - other) < _ALIKE
 
 
 def _direction(start: Point, end: Point) -> Coefficient:
