@@ -8,7 +8,7 @@ from functools import partial
 from itertools import chain
 from multiprocessing import parent_process
 from time import perf_counter
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -123,7 +123,7 @@ class _Begun(NamedTuple):
 
     places: range
     stages: Sequence[Stage]
-    made: "Iterable[tuple[Sequence[int], _Made]]"
+    made: "Iterable[_Ended]"
     refused: Problem | None = None
 
 
@@ -206,6 +206,10 @@ class _Made(NamedTuple):
     refused: Problem | None = None
 
 
+_Ended: TypeAlias = tuple[Sequence[int], _Made]
+"""Designs of a block, and what became of them."""
+
+
 def _each_made(
     ready: ReadyStarts,
     stages: Sequence[Stage],
@@ -213,10 +217,10 @@ def _each_made(
     n_left: int,
     in_short: StartsInShort | None,
     pool: ThreadPoolExecutor,
-) -> Iterable[tuple[Sequence[int], _Made]]:
+) -> Iterable[_Ended]:
     """Starts of all designs, some at a time: compiled together, begun at once, or plain, each when it is asked for."""
 
-    def alone(design: int) -> tuple[Sequence[int], _Made]:
+    def alone(design: int) -> _Ended:
         try:
             # NaN stands for links that cannot close, and is no news.
             with np.errstate(all="ignore"):
@@ -229,7 +233,7 @@ def _each_made(
             return [design], _Made({}, [""], error.problems[0])
 
     left, is_first = list(range(n_designs)), False
-    first, compiled = list[tuple[Sequence[int], _Made]](), iter(list[tuple[Sequence[int], _Made]]())
+    first, compiled = list[_Ended](), iter(list[_Ended]())
     if in_short is not None and in_short.kernels not in _compiled and is_there("numba"):
         since = perf_counter()
         first.append(alone(left.pop(0)))
@@ -254,16 +258,16 @@ def _of_rows(ran: RanRows) -> _Made:
 def _together(
     in_short: StartsInShort,
     groups: Sequence[Sequence[int]],
-    alone: Callable[[int], tuple[Sequence[int], _Made]],
+    alone: Callable[[int], _Ended],
     pool: ThreadPoolExecutor,
     *,
     is_first: bool,
-) -> Iterator[tuple[Sequence[int], _Made]]:
+) -> Iterator[_Ended]:
     """Begin groups of designs, compiled, on several threads; the first of all alone, as it compiles or loads."""
     each = [group[at : at + AT_ONCE] for group in groups for at in range(0, len(group), AT_ONCE)]
 
-    def some(designs: Sequence[int]) -> list[tuple[Sequence[int], _Made]]:
-        made, first = list[tuple[Sequence[int], _Made]](), 0
+    def some(designs: Sequence[int]) -> list[_Ended]:
+        made, first = list[_Ended](), 0
         with np.errstate(all="ignore"):  # of each thread
             for ran in in_short.together(designs):
                 n_designs = 1 if ran is None else len(ran.cases)
@@ -272,7 +276,7 @@ def _together(
                 first += n_designs
         return made
 
-    first = list[tuple[Sequence[int], _Made]]()
+    first = list[_Ended]()
     if is_first and each:
         with uncollected():
             first = some(each.pop(0))
