@@ -303,15 +303,21 @@ def read_only(outcome: object) -> None:
                 value.setflags(write=False)
             elif _may_hold_arrays(type(value)) and id(value) not in seen:
                 seen.add(id(value))
-                open_ends.append(
-                    cast("tuple[object, ...]", value) if isinstance(value, tuple) else vars(value).values()
-                )
+                open_ends.append(_held_in(value))
+
+
+def _held_in(value: object) -> Iterable[object]:
+    """What a tuple, a list or a mapping holds, or the fields of an object."""
+    if isinstance(value, tuple | list):
+        return cast("Iterable[object]", value)
+    return (cast("Mapping[object, object]", value) if isinstance(value, Mapping) else vars(value)).values()
 
 
 @cache
 def _may_hold_arrays(kind: type) -> bool:
-    """Whether a value of some type, no array itself, may hold arrays: a tuple or an object with fields.
+    """Whether a value of some type, no array itself, may hold arrays: a collection or an object with fields.
 
     No kind does, and no words.
     """
-    return issubclass(kind, tuple) or (is_dataclass(cast(object, kind)) and not issubclass(kind, Kind | Said))
+    is_record = is_dataclass(cast(object, kind)) and not issubclass(kind, Kind | Said)
+    return is_record or issubclass(kind, tuple | list | Mapping)

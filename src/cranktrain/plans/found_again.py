@@ -4,12 +4,12 @@ Machines that come from one another by `with_` share it, as they do what stages 
 nothing.
 """
 
-from collections.abc import Callable, Mapping
-from dataclasses import is_dataclass
+from collections.abc import Callable
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast, final
 
 import numpy as np
 
+from cranktrain.analysis.outcomes import read_only
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
@@ -74,7 +74,7 @@ class _Kept:
         known = self._last.pop(what, None)
         if known is None or not is_same(known[0], (place, given, named)):
             found = find(place, *given, **named)
-            _fix(found)
+            read_only(found)
             known = (place, tuple(map(_own, given)), named), found
         self._last[what] = known
         for old in list(self._last)[:-_MOST]:
@@ -90,16 +90,3 @@ def _shape(value: object) -> tuple[int, ...] | None:
 def _own(value: object) -> object:
     """Give what nobody else writes to: a copy of an array; anything else as it is."""
     return cast("Array", value).copy() if isinstance(value, np.ndarray) else value
-
-
-def _fix(value: object) -> None:
-    """Let no array of something be written to."""
-    if isinstance(value, np.ndarray):
-        value.setflags(write=False)
-    elif isinstance(value, tuple | list):
-        for one in cast("tuple[object, ...]", value):
-            _fix(one)
-    elif isinstance(value, Mapping):
-        _fix(tuple(cast("Mapping[str, object]", value).values()))
-    elif is_dataclass(value):
-        _fix(tuple(vars(value).values()))

@@ -20,6 +20,7 @@ from cranktrain.analysis.stages import lacking, leading_to
 from cranktrain.io.examples import example_names
 from cranktrain.layout.question import Stage
 from cranktrain.quantities import shown_by, units_by_dimension
+from cranktrain.questions.forces.peaks import ForcePeaks
 from cranktrain.saying.catalogue import entries, values
 from cranktrain.saying.checks import Checked, Flagged
 
@@ -78,6 +79,13 @@ def test_the_answer_computes_what_it_says_and_all_that_checks_or_warns():
     assert list(result.rows())
     assert texts_of(result.flags) == texts_of(ct.run("3d12").flags)
     assert ran(result) == answered, "rows and flags needed nothing more"
+
+
+def test_what_a_result_holds_by_name_cannot_be_written_to_either():
+    """Largest forces stand in a mapping, by what they are of."""
+    peaks = ct.run("3d12").computed[ForcePeaks].by_class.values()
+    assert peaks
+    assert not any(part.flags.writeable for peak in peaks for part in peak)
 
 
 def test_threads_read_one_result():
