@@ -3,8 +3,9 @@
 import type { Shown } from "./curves.ts";
 import type { ConstructedLine, ConstructionDrawing } from "./data.ts";
 import { html, picture, svg } from "./elements.ts";
+import { apart } from "./nearest.ts";
 import { at, between, extent, figures, number, row } from "./numbers.ts";
-import { xy, type Point } from "./points.ts";
+import { polyline, xy, type Point } from "./points.ts";
 import { said } from "./words.ts";
 
 /** Crank radius in units of the picture, and how far the picture goes, in parts of that. */
@@ -13,10 +14,14 @@ const ROOM = 1.32;
 const TURN = 360;
 /** Straight pieces of an arc. */
 const PIECES = 12;
-/** From a point to its letter. */
-const OFF = 16;
-/** Between letters. */
-const APART = 24;
+/** From a point to its letter: near, or farther out. */
+const OFF = [15, 24];
+/** Directions in which a letter may stand. */
+const WAYS = 16;
+/** Of a letter, how far its middle keeps from others, from points and from lines. */
+const FROM_LETTER = 20;
+const FROM_POINT = 12;
+const FROM_LINE = 9;
 
 /** Show it. */
 export function constructed(part: ConstructionDrawing): Shown {
@@ -35,7 +40,11 @@ export function constructed(part: ConstructionDrawing): Shown {
   };
   const lines = part.lines.map((line) => {
     const path = clip.appendChild(svg("path", { class: line.look }));
-    return (angle: number): void => { path.setAttribute("d", lineOf(line, (letter) => place(letter, angle))); };
+    return (angle: number): readonly Point[] => {
+      const points = pointsOf(line, (letter) => place(letter, angle));
+      path.setAttribute("d", polyline(points));
+      return points;
+    };
   });
   const letters = Object.keys(part.points).map((letter) => {
     const dot = drawn.appendChild(svg("circle", { class: "dot", r: 2.6 }));
@@ -56,40 +65,64 @@ export function constructed(part: ConstructionDrawing): Shown {
   );
   const show = (angle: number): void => {
     const within = ((angle % TURN) + TURN) % TURN;
-    for (const move of lines) move(within);
-    const taken: Point[] = [];
-    for (const { letter, dot, text } of letters) {
-      const point = place(letter, within);
-      const isThere = Math.max(Math.abs(point.x), Math.abs(point.y)) < half - OFF / 2;
+    const drawnLines = [...lines.map((move) => move(within)), [end(-2 * half), end(2 * half)]];
+    const points = letters.map(({ letter }) => place(letter, within));
+    const others: Point[] = [];
+    letters.forEach(({ dot, text }, which) => {
+      const point = points[which] as Point;
+      const isThere = Math.max(Math.abs(point.x), Math.abs(point.y)) < half - FROM_POINT;
       for (const one of [dot, text]) one.toggleAttribute("hidden", !isThere);
-      if (!isThere) continue;
+      if (!isThere) return;
       dot.setAttribute("cx", point.x.toFixed(2));
       dot.setAttribute("cy", point.y.toFixed(2));
-      const beside = free(point, along, taken);
-      taken.push(beside);
+      const beside = clearest(point, along, { letters: others, points, lines: drawnLines });
+      others.push(beside);
       text.setAttribute("x", beside.x.toFixed(2));
       text.setAttribute("y", beside.y.toFixed(2));
-    }
+    });
     for (const { one, reading } of readings) reading.textContent = `S = ${figures(between(one.displacement.values, TURN, within), largest)} ${part.unit}`;
   };
   return { element, show, fit: () => undefined };
 }
 
-/** A straight line, or an arc of pieces about a point. */
-function lineOf(line: ConstructedLine, place: (letter: string) => Point): string {
+/** Points of a straight line, or of an arc of pieces about a point. */
+function pointsOf(line: ConstructedLine, place: (letter: string) => Point): readonly Point[] {
   const [start, end] = [place(line.start), place(line.end)];
-  if (!line.about) return `M${xy(start)}L${xy(end)}`;
+  if (!line.about) return [start, end];
   const centre = place(line.about);
   const direction = (of: Point): number => Math.atan2(of.y - centre.y, of.x - centre.x);
   const radius = Math.hypot(start.x - centre.x, start.y - centre.y);
   const first = direction(start);
   const turn = ((direction(end) - first + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
-  const points = Array.from({ length: PIECES + 1 }, (_one, k) => first + (turn * k) / PIECES);
-  return `M${points.map((one) => xy({ x: centre.x + radius * Math.cos(one), y: centre.y + radius * Math.sin(one) })).join("L")}`;
+  return Array.from({ length: PIECES + 1 }, (_one, k) => aside(centre, radius, first + (turn * k) / PIECES));
 }
 
-/** Where a letter stands beside a point: across the line of stroke, on the side and as far out as others leave it. */
-function free(point: Point, along: Point, taken: readonly Point[]): Point {
-  const sides = [1, -1, 2.6, -2.6, 4.2, -4.2].map((by) => ({ x: point.x - by * OFF * along.y, y: point.y + by * OFF * along.x }));
-  return sides.find((one) => taken.every((other) => Math.hypot(other.x - one.x, other.y - one.y) > APART)) ?? (sides[0] as Point);
+/** What a letter keeps clear of. */
+interface Surroundings {
+  readonly letters: readonly Point[];
+  readonly points: readonly Point[];
+  readonly lines: readonly (readonly Point[])[];
 }
+
+/** Where a letter stands beside its point: as clear as can be of all else; of places alike, near it and across the line of stroke. */
+function clearest(point: Point, along: Point, { letters, points, lines }: Surroundings): Point {
+  const across = Math.atan2(along.x, -along.y);
+  let [found, least] = [point, Infinity];
+  for (const out of OFF) {
+    for (let way = 0; way < WAYS; way++) {
+      const turn = (2 * Math.PI * way) / WAYS;
+      const one = aside(point, out, across + turn);
+      const lacking = [
+        ...letters.map((other) => FROM_LETTER - Math.hypot(other.x - one.x, other.y - one.y)),
+        ...points.map((other) => FROM_POINT - Math.hypot(other.x - one.x, other.y - one.y)),
+        ...lines.map((line) => FROM_LINE - Math.min(...line.slice(1).map((to, k) => apart(one, line[k] as Point, to)))),
+      ];
+      const cost = lacking.reduce((sum, lack) => sum + Math.max(lack, 0), 0) + out / 10 + 1 - Math.cos(turn);
+      if (cost < least) [found, least] = [one, cost];
+    }
+  }
+  return found;
+}
+
+/** A point so far from another, in a direction. */
+const aside = (from: Point, far: number, direction: number): Point => ({ x: from.x + far * Math.cos(direction), y: from.y + far * Math.sin(direction) });

@@ -1,5 +1,7 @@
 // Which of several lines is nearest to where somebody points.
 
+import type { Point } from "./points.ts";
+
 /** Points of a curve: along and up. */
 export interface Line {
   readonly across: Float32Array;
@@ -14,7 +16,7 @@ export function nearest(lines: readonly Line[], x: (value: number) => number, y:
     let [x0, y0] = [NaN, NaN];
     for (let point = 0; point < values.length; point++) {
       const [x1, y1] = [x(across[point] ?? NaN), y(values[point] ?? NaN)];
-      const far = apart(left, top, x0, y0, x1, y1);
+      const far = apart({ x: left, y: top }, { x: x0, y: y0 }, { x: x1, y: y1 });
       if (far < least) [found, least] = [place, far];
       [x0, y0] = [x1, y1];
     }
@@ -23,9 +25,9 @@ export function nearest(lines: readonly Line[], x: (value: number) => number, y:
 }
 
 /** Distance of a point from a piece of a line; NaN where that has an end that is not there. */
-function apart(left: number, top: number, x0: number, y0: number, x1: number, y1: number): number {
-  const [width, height] = [x1 - x0, y1 - y0];
+export function apart(point: Point, start: Point, end: Point): number {
+  const [width, height] = [end.x - start.x, end.y - start.y];
   const square = width * width + height * height;
-  const part = square === 0 ? 0 : Math.min(Math.max(((left - x0) * width + (top - y0) * height) / square, 0), 1);
-  return Math.hypot(left - x0 - part * width, top - y0 - part * height);
+  const part = square === 0 ? 0 : Math.min(Math.max(((point.x - start.x) * width + (point.y - start.y) * height) / square, 0), 1);
+  return Math.hypot(point.x - start.x - part * width, point.y - start.y - part * height);
 }

@@ -6,10 +6,14 @@ import { html, scrolling, svg } from "./elements.ts";
 import { colour, methodPen } from "./ink.ts";
 import { said } from "./words.ts";
 
+/** Characters behind several numbers, beyond which they stand under these where there is little room. */
+const LONG_WORDS = 40;
+
 /** Show the rows of an answer, as the terminal has them; where it can be asked whence, their names are buttons for that. */
 export function answer(group: WrittenGroup, isAsked: boolean): HTMLElement {
   const n = Math.max(1, group.heads.length);
-  const table = html("table", { class: "answer" });
+  const isWordy = n > 1 && group.rows.some((row) => row.words.length > LONG_WORDS);
+  const table = html("table", { class: isWordy ? "answer wordy" : "answer" });
   if (group.heads.length) {
     table.append(html("thead", {}, html("tr", {}, html("th", {}), ...group.heads.map((head) => html("th", { scope: "col" }, said(head))), html("th", {}))));
   }
@@ -30,7 +34,7 @@ export function answer(group: WrittenGroup, isAsked: boolean): HTMLElement {
 }
 
 function named({ name, quantities: [quantity] }: WrittenRow, isAsked: boolean): Node {
-  return isAsked && quantity !== undefined ? html("button", { type: "button", class: "way", value: quantity }, said(name)) : said(name);
+  return isAsked && quantity !== undefined ? html("button", { type: "button", class: "way", value: quantity }, html("span", {}, said(name))) : said(name);
 }
 
 /** Show a table of a sheet. */

@@ -13,6 +13,16 @@ DOTS = """() => Object.fromEntries([...document.querySelectorAll('.construction 
     return [text.textContent, [Number(dot.getAttribute('cx')), Number(dot.getAttribute('cy'))]];
 }))"""
 
+TURN = """(angle) => {
+    const slider = document.querySelector('.turning-controls input');
+    slider.value = angle;
+    slider.dispatchEvent(new Event('input'));
+}"""
+LETTERS = """() => [...document.querySelectorAll('.construction text:not([hidden])')].map((text) => {
+    const dot = text.previousElementSibling;
+    return [text.getAttribute('x'), text.getAttribute('y'), dot.getAttribute('cx'), dot.getAttribute('cy')].map(Number);
+})"""
+
 
 @pytest.fixture(scope="module")
 def chromium():
@@ -47,14 +57,7 @@ def test_the_construction_turns_with_the_crank(opened):
     page = opened("3d12")
     assert readings(page) == [0.0, 0.0, 0.0]
     for angle in (70, 200):
-        page.evaluate(
-            """(angle) => {
-                const slider = document.querySelector('.turning-controls input');
-                slider.value = angle;
-                slider.dispatchEvent(new Event('input'));
-            }""",
-            angle,
-        )
+        page.evaluate(TURN, angle)
         turned = np.radians(angle)
         exact = 90 * (1 - np.cos(turned)) + 320 - np.sqrt(320**2 - (90 * np.sin(turned)) ** 2)
         by_ray = 90 * (1 - np.cos(turned + np.arcsin(90 / 640 * np.sin(turned))))
@@ -72,3 +75,24 @@ def test_on_a_phone_nothing_reaches_beyond_the_window(opened, name):
     page.evaluate(SETTLED)
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
     assert page.locator(".section").count() > 2
+
+
+def test_letters_stand_by_their_points_and_clear_of_each_other(opened):
+    """Even where a crank near a dead centre brings several points of the construction together."""
+    page = opened("3d12")
+    for angle in range(0, 360, 15):
+        page.evaluate(TURN, angle)
+        letters, points = np.split(np.array(page.evaluate(LETTERS)), 2, axis=1)
+        assert np.hypot(*(letters - points).T).max() < 25, angle
+        apart = np.hypot(*(letters[:, np.newaxis] - letters).T) + 100 * np.eye(len(letters))
+        assert apart.min() > 12, angle
+
+
+def test_long_words_stand_below_their_numbers_where_there_is_little_room(opened):
+    page = opened("3d12", width=360)
+    rows = page.locator(".answer.wordy tbody tr").all()
+    assert len(rows) == 5
+    for row in rows:
+        number, words = row.locator(".number").first.bounding_box(), row.locator(".words").bounding_box()
+        assert words["y"] >= number["y"] + number["height"] - 1
+        assert words["height"] <= 3 * 20, "of three lines at most"
