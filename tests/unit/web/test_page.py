@@ -91,6 +91,16 @@ def test_every_tab_has_something_and_sheets_have_a_picture_or_a_reason(name):
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
+def test_no_curve_is_rounding_drawn_large(name):
+    """Forces of a machine that balances itself cancel: 0 is drawn, and not what is left of them by chance."""
+    for tab in page(name).tabs:
+        stacks = [part for part in parts(tab) if isinstance(part, PageCurves)]
+        curves = [(panel.title, curve.values) for stack in stacks for panel in stack.panels for curve in panel.curves]
+        for title, values in curves:
+            assert not 0.0 < np.nanmax(np.abs(values), initial=0.0) < 1e-9, (tab.name, str(title))
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
 def test_a_browser_can_take_it(name):
     found = packed(page(name))
     json.dumps(found.data, allow_nan=False)

@@ -134,16 +134,16 @@ def shaken(
     rounding = _ROUNDING * scale[:, np.newaxis, np.newaxis]
     phase = _phase(vectors, frames.running * along) - crank_angle.zero
 
-    def size(vector: Array | ComplexArray) -> Array:
-        return np.where(np.abs(vector) <= rounding, 0.0, np.abs(vector))
+    def clear(values: Array) -> Array:
+        return np.where(np.abs(values) <= rounding, 0.0, values)
 
     return made(
-        curve.real,
-        curve.imag,
-        size(vectors.forward),
-        size(vectors.backward),
-        size(ellipse.major),
-        size(ellipse.minor),
+        clear(curve.real),
+        clear(curve.imag),
+        clear(np.abs(vectors.forward)),
+        clear(np.abs(vectors.backward)),
+        clear(ellipse.major),
+        clear(ellipse.minor),
         np.where(has_axis, along, np.nan),
         np.where(has_axis, within(phase, TURN / vectors.order, _ONE_WAY), np.nan),
         gross=scale,
