@@ -188,7 +188,8 @@ function worn(rays: Rays, most: number): HTMLElement {
   if (rays.hole !== null) {
     const [near, far] = [point(0.25 * radius, rays.hole), point(radius + 4, rays.hole)];
     drawn.append(svg("path", { class: "hole", d: `M${near}L${far}` }));
-    const [x, y] = point(radius + 15, rays.hole).split(" ") as [string, string];
+    // A word is wider than it is high.
+    const [x, y] = point(radius + 14 + 9 * Math.abs(Math.cos(rays.hole)), rays.hole).split(" ") as [string, string];
     drawn.append(svg("text", { x, y }, `${((number(rays.hole_angle) * 180) / Math.PI).toFixed(0)}°`));
   }
   return html("figure", { class: "small" }, html("figcaption", {}, said(rays.title.replaceAll("\n", " "))), drawn);
@@ -256,7 +257,7 @@ function barsOf(part: Bars): Sketch[] {
 
 /** Show shapes along a shaft. */
 export function shapes(part: ShaftShapes, numbers: string): HTMLElement {
-  const [width, each, left] = [560, 76, 30];
+  const [width, each, left] = [560, 96, 30];
   const n = part.names.length;
   const isTurned = part.names.some((name) => name.length * 6.5 > (width - left) / n);
   const foot = isTurned ? 12 + 6 * Math.max(...part.names.map((name) => name.length)) : 24;
@@ -264,10 +265,10 @@ export function shapes(part: ShaftShapes, numbers: string): HTMLElement {
   const x = (place: number): number => left + ((place + 0.5) * (width - left)) / n;
   const drawn = picture("modes", [0, 0, width, height], svg("title", {}, part.title));
   part.shapes.forEach((shape, number_) => {
-    const middle = number_ * each + each / 2 + 9;
+    const middle = number_ * each + each / 2 + 12;
     const most = Math.max(...Array.from(shape.amplitude.values, Math.abs), 1e-30);
-    const y = (value: number): number => middle - (value / most) * (each / 2 - 14);
-    drawn.append(svg("text", { class: "title", x: left, y: number_ * each + 9 }, ...spans(shape.title)), svg("line", { class: "zero", x1: left, x2: width, y1: middle, y2: middle }));
+    const y = (value: number): number => middle - (value / most) * (each / 2 - 20);
+    drawn.append(svg("text", { class: "title", x: left, y: number_ * each + 11 }, ...spans(shape.title)), svg("line", { class: "zero", x1: left, x2: width, y1: middle, y2: middle }));
     shape.following.forEach((to, from) => {
       drawn.append(svg("line", { class: to === from + 1 ? "shape" : "shape branch", x1: x(from), y1: y(at(shape.amplitude, from)), x2: x(to), y2: y(at(shape.amplitude, to)) }));
     });

@@ -161,8 +161,9 @@ def _room_for(page: Page, part: Part, box: Box) -> _Room:
         case Stars():
             return _Room(STARS_HEIGHT, STARS_HEIGHT, STARS_HEIGHT)
         case Table():
-            least = table_height(part, LEAST_ROW, min(_LEAST_TABLE, part.n_rows))
-            return _Room(table_height(part), table_height(part, LEAST_ROW), least)
+            least = table_height(page, part, box.width, LEAST_ROW, min(_LEAST_TABLE, part.n_rows))
+            tight = table_height(page, part, box.width, LEAST_ROW)
+            return _Room(table_height(page, part, box.width), tight, least)
         case Notes(can_go_on=False):
             n = sum(len(page.wrapped(sentence, box.width)) for sentence in part.sentences)
             return _Room(LINE * n, LINE * n, LINE * n)

@@ -25,19 +25,19 @@ _SAMPLE, _NAME = 10.0, 12.0
 """Length of a line before a row, and where its name begins. [mm]"""
 
 
-def table_height(table: Table, line: float = ROW, n_rows: int | None = None) -> float:
-    """How high a table is with rows of a height, of which there are so many. [mm]"""
+def table_height(page: Page, table: Table, width: float, line: float = ROW, n_rows: int | None = None) -> float:
+    """How high a table of a width is with rows of a height, of which there are so many. [mm]"""
     n = table.n_rows if n_rows is None else n_rows
     has_groups = any(one.group for one in table.columns)
-    n_lines = len(table.notes) + (n < table.n_rows)
+    n_lines = len(_notes(page, table, width)) + (n < table.n_rows)
     return _ABOVE + _RULE + line * (n + 1 + has_groups) + _TITLE * bool(table.title) + LINE * n_lines
 
 
 def draw_table(page: Page, table: Table, box: Box) -> None:
     """Draw a table in a room, its rows as high as there is room, those of low rank left out where there is none."""
-    line = ROW if table_height(table) <= box.height + _ROUNDING else LEAST_ROW
+    line = ROW if table_height(page, table, box.width) <= box.height + _ROUNDING else LEAST_ROW
     n = table.n_rows
-    while n > 1 and table_height(table, line, n) > box.height + _ROUNDING:
+    while n > 1 and table_height(page, table, box.width, line, n) > box.height + _ROUNDING:
         n -= 1
     kept = list(range(n)) if table.ranks is None else sorted(falling(table.ranks)[:n])
     texts = [column_texts(one) for one in table.columns]
@@ -57,8 +57,13 @@ def draw_table(page: Page, table: Table, box: Box) -> None:
     ends = tuple((box.width * end - aside) / (box.width - aside) for end in table.ends)
     below = write_table(page, rows, (box.left + aside, top, box.width - aside), ends, line)
     said = table.left_out or _("and {n} more")
-    left_out = [said.format(n=table.n_rows - n)] if n < table.n_rows else []
-    page.notes(box.left, below, map(str, (*left_out, *table.notes)))
+    left_out = [str(said.format(n=table.n_rows - n))] if n < table.n_rows else []
+    page.notes(box.left, below, [*left_out, *_notes(page, table, box.width)])
+
+
+def _notes(page: Page, table: Table, width: float) -> list[str]:
+    """Fold its notes into lines."""
+    return [line for note in table.notes for line in page.wrapped(note, width)]
 
 
 def _write_groups(page: Page, table: Table, groups: Sequence[str], place: tuple[float, float, float]) -> None:

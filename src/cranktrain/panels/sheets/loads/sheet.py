@@ -100,8 +100,10 @@ def _part(shown: OneDesign, one: CurveOfLoad) -> Words:
 
 def _notes(curves: CurvesOfLoads) -> Iterator[Message]:
     """Say how work and power count, and how many loads the table leaves out."""
-    yield _("Work over the cycle, less than 0 where the machine works against the load;")
-    yield _("largest power of either sign. Forces along their ways, torques in the crank's sense.")
+    yield _(
+        "Work is over the cycle, less than 0 where the machine works against the load; the largest power is of either"
+        " sign. Forces are along their ways, torques in the crank's sense."
+    )
     if len(curves.each) > _MOST:
         yield _("{n} more loads are in the result.", n=len(curves.each) - _MOST)
 

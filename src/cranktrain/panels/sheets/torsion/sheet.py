@@ -164,7 +164,9 @@ def _with_sums(columns: Sequence[TableColumn], chosen: Sequence[Crossing]) -> Ta
     """The table with the vector sums."""
     sums = TableColumn(_("vector sum"), np.array([one.vector_sum for one in chosen]))
     notes = (
-        _("Vector sums are those of amplitude 1 at the free end; the marks' areas are"),
-        _("as those of amplitude 1 where the mode has its largest."),
+        _(
+            "Vector sums are those of amplitude 1 at the free end; the marks' areas are as those of amplitude 1 where"
+            " the mode has its largest."
+        ),
     )
     return Table((*columns, sums), (0.3, 0.65, 1.0), title=_("Critical speeds with the largest marks"), notes=notes)
