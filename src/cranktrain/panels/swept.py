@@ -55,7 +55,7 @@ def plot_of_sweep(sweep: Sweep, *quantities: str) -> Plot:
     numbers = [place for place, one in enumerate(sweep.along) if one.numbers is not None]
     is_map = len(sweep.along) == len(numbers) == 2 and min(sweep.shape) > _MOST_CURVES
     panels = [one for name in names for one in (_maps if is_map else _curves)(sweep, name)]
-    over = _labelled(sweep.axis.name, sweep.axis.unit)
+    over = next(_labelled(one) for one in sweep.along if one.numbers is not None)
     is_hatched = any(_is_hatched(panel) for panel in panels)
     note = _("hatched: designs that cannot be") if is_hatched and sweep.refused else ""
     return Plot(tuple(panels), sweep.subject, over=over, note=note)
@@ -65,9 +65,9 @@ def _is_hatched(panel: Panel | Map) -> bool:
     return bool(np.isnan(panel.values).any()) if isinstance(panel, Map) else bool(panel.hatched)
 
 
-def _labelled(name: str, unit: str) -> Words:
+def _labelled(one: Varied) -> Words:
     """What is written along an axis."""
-    return Listed(tuple(filter(None, (_(spelled(name).capitalize()), unit))), ", ")
+    return Listed(tuple(filter(None, (_(spelled(one.spoken).capitalize()), one.unit))), ", ")
 
 
 def _cloud(sweep: Sweep, names: Sequence[str]) -> Plot:
@@ -77,7 +77,7 @@ def _cloud(sweep: Sweep, names: Sequence[str]) -> Plot:
     different = [name for name in names if not is_level(largest[name])]
     if numbers and (len(numbers) == 1 or len(different) < 2):
         first, own = numbers[0], list(names)
-        across, unit, over = _numbers(first.numbers), "", _labelled(first.name, first.unit)
+        across, unit, over = _numbers(first.numbers), "", _labelled(first)
     elif len(different) > 1:
         over_name, *own = different
         entry = sweep.found.entries[over_name]
@@ -132,7 +132,9 @@ def _hatched(across: Array, is_missing: NDArray[np.bool_]) -> Iterator[tuple[flo
 
 def _called(one: Varied) -> tuple[str, ...]:
     """What values are called in a key: plain numbers by what they are, too."""
-    return one.texts if one.unit or one.numbers is None else tuple(f"{spelled(one.name)} {text}" for text in one.texts)
+    if one.unit or one.numbers is None:
+        return one.texts
+    return tuple(f"{spelled(one.spoken)} {text}" for text in one.texts)
 
 
 def _maps(sweep: Sweep, name: str) -> list[Map]:
@@ -142,7 +144,7 @@ def _maps(sweep: Sweep, name: str) -> list[Map]:
     for whose, values in sweep.apart(name):
         title: Words = _("{fact} ({of})", fact=_title(entry), of=whose) if whose else _title(entry)
         across, up = _numbers(first.numbers), _numbers(second.numbers)
-        upward = _(spelled(second.name).capitalize())
+        upward = _(spelled(second.spoken).capitalize())
         maps.append(Map(title, entry.shown, across, up, values.T, second.unit, upward))
     return maps
 

@@ -127,7 +127,7 @@ def packed_sweep(question: SweepQuestion, say: Callable[[HowFar], None]) -> Pack
 def _columns(found: Sweep) -> SweptDesignsOfPage:
     """Give a sweep as columns."""
     varied = tuple(
-        SweptValues(one.path, said_name(one.name), tuple(map(str, one.texts)), one.numbers, one.unit)
+        SweptValues(one.path, said_name(one.spoken), tuple(map(str, one.texts)), one.numbers, one.unit)
         for one in found.designs.varied
     )
     facts: list[SweptFact] = []

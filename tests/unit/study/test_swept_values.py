@@ -148,7 +148,17 @@ def test_names_of_dimensions():
     paths = ["bank.L.mechanism.rod_length", "shaft.main.speed", 'cylinder."1.crank".clearance']
     assert names_of(paths) == ["rod_length", "speed", "clearance"]
     two = ["bank.L.mechanism.rod_length", "bank.R.mechanism.rod_length", "shaft.main.throws[2]"]
-    assert names_of(two) == ["bank_L_mechanism_rod_length", "bank_R_mechanism_rod_length", "2"]
+    assert names_of(two) == ["bank_L_mechanism_rod_length", "bank_R_mechanism_rod_length", "throws_2"]
+    assert names_of(["shaft.main.throws[1]", "shaft.side.throws[1]"]) == ["shaft_main_throws_1", "shaft_side_throws_1"]
+
+
+def test_an_item_of_a_list_is_called_by_its_list():
+    """`throws[1]` stands at the head of its column and along its axis, where `1` stood."""
+    machine = ct.load("vaz_21213")
+    vary = {"shaft.main.throws[1]": "144..216 deg:3", "bank.line.mechanism.stroke": "70, 80 mm"}
+    swept = ct.sweep(machine, vary, wanted=["largest_torque"])
+    assert [one.name for one in swept.designs.varied] == ["throws_1", "stroke"]
+    assert str(swept.subject).endswith(", over throws[1] × stroke")
 
 
 def test_all_that_is_wrong_is_told_at_once():

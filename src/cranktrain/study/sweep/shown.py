@@ -68,13 +68,13 @@ def shown_facts(sweep: FactsAlong) -> Iterator[Part]:
     columns = list(_given(sweep, lines))
     columns += itertools.chain.from_iterable(own for name, own in found.items() if name not in without_room)
     heads = [str(line + 1) if sweep.designs.is_listed else sweep.along[own].texts[line] for line in lines]
-    yield Grid(columns, heads, title=said_name(sweep.along[own].name), names_quantities=True)
+    yield Grid(columns, heads, title=said_name(sweep.along[own].spoken), names_quantities=True)
     if alike:
         entries = sweep.found.entries
         said = (f"{said_name(name)} {Amount(value, entries[name].shown, name)}" for name, value in alike.items())
         yield _("alike in all designs: {facts}", facts=", ".join(said))
     if any(one.numbers is not None and not one.unit for one in beside):
-        yield _("behind each symbol: {names}", names=", ".join(said_name(one.name) for one in beside))
+        yield _("behind each symbol: {names}", names=", ".join(said_name(one.spoken) for one in beside))
     yield from _left_out(sweep.along[own], len(lines), beside, len(others))
     if without_room:
         names = ", ".join(without_room)
@@ -97,9 +97,9 @@ def _left_out(own: Varied, n_lines: int, beside: list[Varied], n_others: int) ->
     """Say that some designs are not shown."""
     said = _("shown are {n} of {all} values of {name}; a file has all")
     if n_lines < len(own.values):
-        yield said.format(n=n_lines, all=len(own.values), name=said_name(own.name))
+        yield said.format(n=n_lines, all=len(own.values), name=said_name(own.spoken))
     if n_others < (n_all := len(_combinations(beside))):
-        name = " × ".join(said_name(one.name) for one in beside)
+        name = " × ".join(said_name(one.spoken) for one in beside)
         yield said.format(n=n_others, all=n_all, name=name)
 
 
@@ -122,7 +122,7 @@ def _given(sweep: FactsAlong, lines: list[int]) -> Iterator[Column]:
     if sweep.designs.is_listed:
         for one in sweep.designs.varied:
             texts = one.texts
-            yield Column(said_name(one.name), [short(texts[line], _LONGEST_VALUE) for line in lines])
+            yield Column(said_name(one.spoken), [short(texts[line], _LONGEST_VALUE) for line in lines])
 
 
 def _columns(sweep: FactsAlong, name: str, lines: list[int], others: list[int]) -> Iterator[Column]:

@@ -81,7 +81,7 @@ class Sweep(Run):
     @property
     def subject(self) -> Words:
         """Whose they are, and over what."""
-        over = Listed(tuple(said_name(one.name) for one in self.designs.varied), " × ")
+        over = Listed(tuple(said_name(one.spoken) for one in self.designs.varied), " × ")
         return _("{name}, over {varied}", name=short(self.machine.name) or _("Machine without a name"), varied=over)
 
     @property

@@ -18,7 +18,7 @@ from cranktrain.language import _
 from cranktrain.machine import Machine
 from cranktrain.motion import Array
 from cranktrain.one_line import one_line, short
-from cranktrain.paths import path_text, quantity_path, value_at
+from cranktrain.paths import PathParts, parts_of, path_text, quantity_path, value_at
 from cranktrain.quantities import Quantity, nearest
 from cranktrain.quantities.conversion import in_other_unit
 from cranktrain.record import record
@@ -53,6 +53,12 @@ class Varied:
     values: tuple[object, ...]
     numbers: Array | None
     unit: str
+
+    @property
+    def spoken(self) -> str:
+        """Its name, of which its words are made: the item of a list with its place as the path has it, `throws[1]`."""
+        place = next(iter(parts_of(self.path)[-1:]), "")
+        return f"{self.name.removesuffix(f'_{place}')}[{place}]" if isinstance(place, int) else self.name
 
     @cached_property
     def are_numbers(self) -> NDArray[np.bool_]:
@@ -113,7 +119,7 @@ class SweptDesigns:
             return self.varied
         each = zip(*(one.values for one in self.varied), strict=True)
         named = [
-            ", ".join(f"{one.name} {_shown(value)}" for one, value in zip(self.varied, values, strict=True) if value)
+            ", ".join(f"{one.spoken} {_shown(value)}" for one, value in zip(self.varied, values, strict=True) if value)
             for values in each
         ]
         return (Varied("", "case", tuple(f"{n}: {words}" for n, words in enumerate(named, start=1)), None, ""),)
@@ -276,12 +282,17 @@ def _in_unit(number: Fraction | float, unit: str, other: str) -> float | None:
 
 
 def names_of(paths: Sequence[str]) -> list[str]:
-    """Short names of paths: their last words, as far as these differ."""
-    last = [whole_word(path_text(quantity_path(path)[-1:])) for path in paths]
+    """Short names of paths: their last words, of items of lists with their places, as far as these differ."""
+    last = [whole_word(path_text(_from_last_name(quantity_path(path)))) for path in paths]
     return [
         name if last.count(name) == 1 else whole_word(path_text(quantity_path(path)))
         for path, name in zip(paths, last, strict=True)
     ]
+
+
+def _from_last_name(parts: PathParts) -> PathParts:
+    """The end of a path, from its last name on."""
+    return parts[max(place for place, part in enumerate(parts) if isinstance(part, str)) :]
 
 
 def names_apart(designs: SweptDesigns, facts: Sequence[str]) -> SweptDesigns:
