@@ -33,6 +33,8 @@ def how_compiled() -> HowCompiled:
     """
     from numba.core import codegen, compiler
 
+    from cranktrain.linkage.shorter import shorter
+
     library_class: Any = getattr(codegen, "JITCodeLibrary", None)
     generator_class: Any = getattr(codegen, "JITCPUCodegen", None)
     compiler_class: Any = getattr(compiler, "Compiler", None)
@@ -86,12 +88,14 @@ def how_compiled() -> HowCompiled:
             for each in library._linking_libraries if isinstance(library, Part) else ():
                 self.add_linking_library(each)
 
+    shorter_class = shorter(compiler_class)
+
     def compiler_to(kind: Any) -> Any:
-        class OwnCompiler(compiler_class):
+        class OwnCompiler(shorter_class):
             """Numba's own, but for where it puts what it makes."""
 
             def __init__(self, typingctx: Any, targetctx: Any, *more: Any) -> None:
-                compiler_class.__init__(self, typingctx, targetctx, *more)
+                shorter_class.__init__(self, typingctx, targetctx, *more)
                 self.state.library = kind(targetctx.codegen(), "own")
                 self.state.library.enable_object_caching()
 
