@@ -1,4 +1,4 @@
-"""Numba's way to what LLVM is given, in fewer steps: with the same numbers, and left as it is where steps are missing."""
+"""Numba's way to what LLVM is given, in fewer steps: with the same numbers, and its own where steps are missing."""
 
 import numpy as np
 import pytest
