@@ -121,7 +121,7 @@ def teach_choices() -> None:
     def compiled_choice(*_given: object) -> object:
         return _chosen_number
 
-    overload(chosen, strict=False)(compiled_choice)
+    overload(chosen, strict=False, jit_options=options_of(within=True))(compiled_choice)
 
 
 def _chosen_number(condition: bool, one: float, other: float) -> float:
