@@ -75,6 +75,7 @@ NO_KERNELS = {
     "kept.folder",
     "kept.is_kept",
     "kept.keep",
+    "shorter.shorter",
     "modes.triad_modes",
     "nearest.nearest_pose",
     "stephenson.stephenson_size",
