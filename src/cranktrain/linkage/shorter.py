@@ -18,6 +18,8 @@ _LOOKS_FOR_ARRAYS = "NopythonRewrites"
 _LOOKS_WITHIN = "InlineClosureLikes"
 _LOOKS_FOR_HOLDERS = "IRLegalization"
 """What Numba calls passes that find nothing to do."""
+_TRIED = (0, 61), (0, 68)
+"""From which Numba on to which what is made by fewer steps was compared with what it makes by its own."""
 _OF_LOWERING = (
     "_find_singly_assigned_variable",
     "_disable_sroa_like_opt",
@@ -29,19 +31,24 @@ _OF_LOWERING = (
 
 
 def shorter(compiler_class: Any) -> Any:
-    """Give a compiler that does what one of Numba does, in fewer steps; that one itself where Numba has not the steps.
+    """Give a compiler that does what one of Numba does, in fewer steps.
+
+    That one itself where Numba has not the steps, or is newer than any with which this was tried: it might mean another
+    thing by the same names.
 
     Parameters
     ----------
     compiler_class : type
         `numba.core.compiler.Compiler`.
     """
+    from numba import version_info
     from numba.core import compiler_machinery, lowering, typed_passes, types
 
     lower_class: Any = getattr(lowering, "Lower", None)
     step_class: Any = getattr(typed_passes, "NativeLowering", None)
     is_there = (
-        step_class is not None
+        _TRIED[0] <= version_info.short <= _TRIED[1]
+        and step_class is not None
         and all(hasattr(lower_class, name) for name in _OF_LOWERING)
         and all(hasattr(compiler_class, name) for name in ("compile_extra", "define_pipelines"))
         and all(hasattr(compiler_machinery.PassManager, name) for name in ("_runPass", "add_pass", "finalize"))

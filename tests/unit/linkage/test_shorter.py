@@ -80,6 +80,10 @@ def test_numba_types_functions_by_itself_again_behind_it():
 
 def test_what_has_one_value_has_no_place_in_memory():
     """Though other blocks read it; what has another one in each round has."""
+    from numba.core import compiler
+
+    if shorter(compiler.Compiler) is compiler.Compiler:
+        pytest.skip("this Numba is newer than those with which fewer steps were tried")
     whole = quick(first_of_it)
     assert whole(NUMBERS, 3) == NUMBERS[0]
     (part,) = whole.py_func.__globals__["last_of_each"].overloads.values()
@@ -108,4 +112,13 @@ def test_another_numba_goes_its_own_way(module, owner, name, monkeypatch):
 
     there = import_module(f"numba.core.{module}")
     monkeypatch.delattr(getattr(there, owner) if owner else there, name)
+    assert shorter(compiler.Compiler) is compiler.Compiler
+
+
+@pytest.mark.parametrize("short", [(0, 60), (0, 69), (1, 0)])
+def test_a_numba_that_was_not_tried_goes_its_own_way(short, monkeypatch):
+    import numba
+    from numba.core import compiler
+
+    monkeypatch.setattr(numba, "version_info", numba.version_info._replace(short=short))
     assert shorter(compiler.Compiler) is compiler.Compiler
