@@ -97,7 +97,7 @@ function set(found: URLSearchParams, name: string, value: string): void {
 /** Under which name the browser keeps the address that was shown last. */
 const LAST = "cranktrain-last";
 
-/** How long the address waits for what is shown: browsers take some milliseconds to write one. [ms] */
+/** How long the address, and what is kept of it, wait for what is shown: browsers take some milliseconds to write them. [ms] */
 const BEHIND = 60;
 
 /** What stands in the address of the page, or will soon. */
@@ -139,8 +139,9 @@ export class Address {
   }
 
   ask(asked: Asked): void {
-    this.write(withAsked(this.hash, asked));
-    kept(this.hash);
+    const hash = withAsked(this.hash, asked);
+    this.write(hash);
+    setTimeout(() => { kept(hash); }, BEHIND);
   }
 
   /** Write it, without a step back; a page in the frame of a notebook has no address. */

@@ -7,7 +7,7 @@ import type { Curve, OtherCurve, PageCurves, PageSheet, Panel } from "./data.ts"
 import { html, svg, write } from "./elements.ts";
 import { canvasColour, type Ink, inkOf, LEVELS, PENS } from "./ink.ts";
 import { along } from "./lines.ts";
-import { extent, figure, figures, interpolated, number, read, same, ticks } from "./numbers.ts";
+import { extent, figure, figures, hasGap, interpolated, number, read, same, ticks } from "./numbers.ts";
 import { fineness } from "./paper.ts";
 import { nearest, type Line } from "./nearest.ts";
 import { said, symbol } from "./words.ts";
@@ -315,7 +315,7 @@ class ShownPanel {
     if (this.panel.limits) return [number(this.panel.limits[0]), number(this.panel.limits[1])];
     const lines = [...this.lines, ...this.otherLines];
     let [low, high] = extent(lines.flatMap((line) => extent(line.values)));
-    if (lines.some((line) => !line.values.every(Number.isFinite))) {
+    if (lines.some((line) => hasGap(line.values))) {
       const known = lines.flatMap((line) => Array.from(line.values).filter(Number.isFinite)).sort((one, other) => one - other);
       const [start, end] = MIDDLE.map((part) => known[Math.floor(part * (known.length - 1))] ?? NaN) as [number, number];
       [low, high] = [start - 0.3 * (end - start), end + 0.3 * (end - start)];

@@ -26,16 +26,18 @@ const HALF = 7;
 const HIDDEN = /\u200b/g;
 
 export class Labels {
+  /** What a pixel of the window is in the picture since words were put last. */
+  pixel = 1;
   private readonly edges: Edges;
-  readonly pixel: () => number;
+  private readonly measured: () => number;
   private readonly still: (readonly [string, Place])[] = [];
   private others: readonly (readonly [string, Place])[] = [];
   private taken: Edges[] = [];
 
-  /** Words within edges; `pixel` gives what a pixel of the window is in the picture. */
-  constructor(edges: Edges, pixel: () => number) {
+  /** Words within edges; `measured` gives what a pixel of the window is in the picture. */
+  constructor(edges: Edges, measured: () => number) {
     this.edges = edges;
-    this.pixel = pixel;
+    this.measured = measured;
   }
 
   /** Keep clear of words that always stand where they are. */
@@ -50,13 +52,13 @@ export class Labels {
 
   /** Begin anew, before what moves is put where it is now. */
   begin(): void {
-    const pixel = this.pixel();
-    this.taken = [...this.still, ...this.others].map(([words, place]) => boxOf(words, place, pixel));
+    this.pixel = this.measured();
+    this.taken = [...this.still, ...this.others].map(([words, place]) => boxOf(words, place, this.pixel));
   }
 
   /** Choose where words stand: the first of several places, moved within the edges, where nothing else is, or where least is. */
-  put(words: string, places: readonly Place[]): Place | null {
-    const pixel = this.pixel();
+  put(words: string, places: Iterable<Place>): Place | null {
+    const { pixel } = this;
     let [found, box, least]: [Place | null, Edges | null, number] = [null, null, Infinity];
     for (const one of places) {
       const place = within(this.edges, one, boxOf(words, one, pixel));

@@ -10,10 +10,15 @@ type Drawing = Pick<CanvasRenderingContext2D, "moveTo" | "lineTo">;
 
 /** Draw along a line, in pieces where it has gaps; points that a straight piece passes unseen are left out. */
 export function along(ink: Drawing, { across, values }: Line, x: (one: number) => number, y: (one: number) => number): void {
-  let [isDown, isPassed] = [false, false];
-  let [startX, startY, lastX, lastY] = [NaN, NaN, NaN, NaN];
+  let isDown = false;
+  let isPassed = false;
+  let startX = NaN;
+  let startY = NaN;
+  let lastX = NaN;
+  let lastY = NaN;
   // Slopes from the start that pass all points since.
-  let [low, high] = [-Infinity, Infinity];
+  let low = -Infinity;
+  let high = Infinity;
   for (let place = 0; place < values.length; place++) {
     const value = values[place] as number;
     if (!Number.isFinite(value)) {
@@ -21,21 +26,32 @@ export function along(ink: Drawing, { across, values }: Line, x: (one: number) =
       isDown = isPassed = false;
       continue;
     }
-    const [nextX, nextY] = [x(across[place] ?? NaN), y(value)];
+    const nextX = x(across[place] ?? NaN);
+    const nextY = y(value);
     if (!isDown) {
       ink.moveTo(nextX, nextY);
-      [startX, startY, low, high, isDown] = [nextX, nextY, -Infinity, Infinity, true];
+      startX = nextX;
+      startY = nextY;
+      low = -Infinity;
+      high = Infinity;
+      isDown = true;
       continue;
     }
     const slope = (nextY - startY) / (nextX - startX);
     if (isPassed && !(nextX > startX && low <= slope && slope <= high)) {
       ink.lineTo(lastX, lastY);
-      [startX, startY, low, high] = [lastX, lastY, -Infinity, Infinity];
+      startX = lastX;
+      startY = lastY;
+      low = -Infinity;
+      high = Infinity;
     }
     const far = nextX - startX;
     // What goes back or straight up is passed by nothing.
-    [low, high] = far > 0 ? [Math.max(low, (nextY - UNSEEN - startY) / far), Math.min(high, (nextY + UNSEEN - startY) / far)] : [Infinity, -Infinity];
-    [lastX, lastY, isPassed] = [nextX, nextY, true];
+    low = far > 0 ? Math.max(low, (nextY - UNSEEN - startY) / far) : Infinity;
+    high = far > 0 ? Math.min(high, (nextY + UNSEEN - startY) / far) : -Infinity;
+    lastX = nextX;
+    lastY = nextY;
+    isPassed = true;
   }
   if (isPassed) ink.lineTo(lastX, lastY);
 }

@@ -18,13 +18,11 @@ export class DrawnLoads {
   private readonly placing: Placing;
   private readonly edges: Edges;
   private readonly labels: Labels;
-  private readonly pixel: () => number;
 
-  constructor(loads: readonly LoadDrawing[], placing: Placing, edges: Edges, labels: Labels, pixel: () => number, into: SVGGElement, under: SVGGElement) {
+  constructor(loads: readonly LoadDrawing[], placing: Placing, edges: Edges, labels: Labels, into: SVGGElement, under: SVGGElement) {
     this.placing = placing;
     this.edges = edges;
     this.labels = labels;
-    this.pixel = pixel;
     for (const load of loads) this.load(load, into, under);
   }
 
@@ -91,7 +89,7 @@ export class DrawnLoads {
     const { left, right } = this.edges;
     const sides = [{ x: x + far, anchor: "start" }, { x: x - far, anchor: "end" }] as const;
     const inTurn = x - left > right - x ? [sides[1], sides[0]] : sides;
-    const places = ROWS.flatMap((row) => inTurn.map((side): Place => ({ ...side, y: y + row * this.pixel(), isCentral: false })));
+    const places = ROWS.flatMap((row) => inTurn.map((side): Place => ({ ...side, y: y + row * this.labels.pixel, isCentral: false })));
     const place = this.labels.put(label.textContent ?? "", places);
     if (!place) return;
     label.setAttribute("text-anchor", place.anchor);

@@ -1,6 +1,6 @@
 // A mechanism to scale: what stands still is drawn once, what moves is turned and shifted.
 
-import type { DrawnHandle, LinkDrawing, MachineDrawing, MechanismDrawing, OutputDrawing, PinVector, VectorsToScale } from "./data.ts";
+import type { DrawnHandle, LinkDrawing, MachineDrawing, MechanismDrawing, OutputDrawing, VectorsToScale } from "./data.ts";
 import { picture, svg } from "./elements.ts";
 import { Labels, type Edges } from "./labels.ts";
 import { DrawnLoads } from "./loads.ts";
@@ -40,14 +40,13 @@ export class Mechanism {
   private readonly labels: Labels;
   private readonly ghosts = svg("g", { class: "ghost" });
   private readonly old = svg("g", { class: "ghost old" });
-  private readonly layer = svg("g", {});
   private readonly held = svg("g", {});
   private readonly marks = svg("g", { class: "marks" });
   private rings: { readonly ring: SVGElement; readonly axis: SVGElement; readonly one: DrawnHandle }[] = [];
-  private vectors: DrawnVectors | null = null;
   private shown = 0;
   private readonly placing: Placing;
   private readonly loads: DrawnLoads;
+  private readonly vectors: DrawnVectors;
 
   constructor(drawing: MachineDrawing, label: string, held?: View) {
     this.drawing = drawing;
@@ -69,9 +68,10 @@ export class Mechanism {
       this.joints(one, pins);
     }
     for (const { of, link } of this.ownLinks().reverse()) this.link(of, link, links);
-    this.loads = new DrawnLoads(drawing.loads, this.placing, this.edges, this.labels, () => this.pixel, loads, paths);
+    this.loads = new DrawnLoads(drawing.loads, this.placing, this.edges, this.labels, loads, paths);
     this.scaleBar(box, still);
-    this.element.append(this.layer, this.marks, this.held);
+    this.vectors = new DrawnVectors((one, angle) => this.placing.pinOf(one, angle), this.cycle, this.edges, this.labels);
+    this.element.append(this.vectors.element, this.marks, this.held);
     this.show(0);
     // Words are as large as the window has them: in another size they stand elsewhere.
     new ResizeObserver(() => { this.show(this.shown); }).observe(this.element);
@@ -94,7 +94,7 @@ export class Mechanism {
     this.labels.begin();
     for (const move of this.moving) move(place);
     this.loads.show(place);
-    this.vectors?.show(place);
+    this.vectors.show(place);
     this.showRings(place);
     this.shown = place;
   }
@@ -193,12 +193,9 @@ export class Mechanism {
     return { x: by.x / this.placing.scale, y: -by.y / this.placing.scale };
   }
 
-  /** Show vectors, and no others. */
-  showVectors(sorts: readonly VectorsToScale[]): void {
-    const pin = (one: PinVector, angle: number): Point => this.placing.pinOf(one, angle);
-    this.vectors = new DrawnVectors(sorts, pin, this.cycle, this.edges, this.labels);
-    this.layer.replaceChildren(...this.vectors.elements);
-    this.show(this.shown);
+  /** Take vectors, and no others, for when it is shown next. */
+  takeVectors(sorts: readonly VectorsToScale[]): void {
+    this.vectors.take(sorts);
   }
 
   /** What a pixel of the window is in the picture. */

@@ -79,6 +79,12 @@ export function extent(values: ArrayLike<number>): readonly [number, number] {
   return low <= high ? [low, high] : [NaN, NaN];
 }
 
+/** Whether some of the numbers are not there. */
+export function hasGap(values: Float32Array): boolean {
+  for (let place = 0; place < values.length; place++) if (!Number.isFinite(values[place] as number)) return true;
+  return false;
+}
+
 /** Value at a place between points that stand evenly from 0 to `end`; NaN where either beside it is. */
 export function between(values: Float32Array, end: number, place: number): number {
   const steps = values.length - 1;

@@ -76,7 +76,7 @@ export class MachinePage {
   /** Curves of other pistons that were asked for last, and beside which content. */
   private otherCurves: { readonly beside: TabContent; readonly found: PageOthers } | null = null;
   private readonly sheets: Sheets;
-  private readonly vectors = new VectorChoice((shown) => { this.mechanism.showVectors(this.passing ? [] : shown); }, (tab) => { this.load(tab); });
+  private readonly vectors = new VectorChoice((shown) => { this.mechanism.takeVectors(this.passing ? [] : shown); }, (tab) => { this.load(tab); });
   private readonly panel: HTMLElement;
   private readonly ghostsWord = html("span", {});
   private readonly ghosts = html("button", { type: "button", class: "choice", title: "G", "aria-pressed": "false" }, this.ghostsWord);
@@ -124,6 +124,7 @@ export class MachinePage {
       this.choose(this.chosen);
     });
     this.tabs.addEventListener("keydown", (event) => { this.walk(event); });
+    this.vectors.element.addEventListener("click", () => { this.stand(); });
     this.answers.addEventListener("click", ({ target }) => {
       const way = target instanceof Element ? target.closest<HTMLButtonElement>(".way") : null;
       if (way) this.source?.whence(way.value);
@@ -269,7 +270,10 @@ export class MachinePage {
       this.contents.set(name, found);
       const open = this.chosen?.name ?? "";
       if (open === name) this.show(found);
-      else this.vectors.take(this.contents, open);
+      else {
+        this.vectors.take(this.contents, open);
+        this.stand();
+      }
     });
   }
 

@@ -1,7 +1,7 @@
 // Vectors on the drawing of a mechanism, and which of them are shown.
 
 import type { PinVector, VectorsToScale, TabContent } from "./data.ts";
-import { html, svg } from "./elements.ts";
+import { html, type Sketch, Sketched, svg } from "./elements.ts";
 import { inkOf } from "./ink.ts";
 import type { Edges, Labels, Place } from "./labels.ts";
 import { between, row, same, ticks } from "./numbers.ts";
@@ -31,34 +31,142 @@ const ASIDE: readonly number[] = [0, 0.8, -0.8, 1.6, -1.6, 2.4, -2.4];
 /** Where the pin of a vector is at a crank angle. */
 type PinOf = (one: PinVector, angle: number) => Point;
 
-/** Vectors that are drawn to scale, and what a picture has of them. */
+/** Vectors that are drawn to scale, and what a picture has of them; others may take their place. */
 export class DrawnVectors {
-  readonly elements: readonly SVGElement[];
-  private readonly moving: readonly ((angle: number) => void)[];
+  readonly element = svg("g");
+  private readonly pin: PinOf;
+  private readonly cycle: number;
+  private readonly edges: Edges;
+  private readonly labels: Labels;
+  private scales: readonly OneScale[] = [];
 
-  constructor(shown: readonly VectorsToScale[], pin: PinOf, cycle: number, edges: Edges, labels: Labels) {
+  constructor(pin: PinOf, cycle: number, edges: Edges, labels: Labels) {
+    this.pin = pin;
+    this.cycle = cycle;
+    this.edges = edges;
+    this.labels = labels;
+  }
+
+  /** Take vectors, and no others, for when they are shown next. */
+  take(shown: readonly VectorsToScale[]): void {
     const groups = new Map<string, VectorsToScale[]>();
     for (const one of shown) {
       const key = `${one.unit} ${one.largest}`;
       groups.set(key, [...(groups.get(key) ?? []), one]);
     }
-    const elements: SVGElement[] = [];
-    const scales: (readonly [string, Place])[] = [];
-    this.moving = [...groups.values()].flatMap((sorts, place) => {
+    const before = this.scales;
+    this.scales = [...groups.values()].map((sorts, place) => {
+      const scale = before[place] ?? new OneScale();
+      if (scale !== before[place]) this.element.append(scale.element);
       const all = sorts.flatMap((one) => one.vectors);
-      const perUnit = scaleOf(all, sorts[0]?.largest ?? NaN, pin, cycle, edges);
-      const [words, at, ...arrow] = scaleArrow(sorts[0] as VectorsToScale, perUnit, edges, place);
-      elements.push(...arrow);
-      scales.push([words, at]);
-      return all.map((one) => vector(one, perUnit, cycle, pin, elements, labels));
+      const perUnit = scaleOf(all, sorts[0]?.largest ?? NaN, this.pin, this.cycle, this.edges);
+      scale.take(all, perUnit, scaleArrow(sorts[0] as VectorsToScale, perUnit, this.edges, place));
+      return scale;
     });
-    labels.keepClearOf(scales);
-    this.elements = elements;
+    for (const { element } of before.slice(groups.size)) element.remove();
+    this.labels.keepClearOf(this.scales.map((one) => one.words));
   }
 
   show(angle: number): void {
-    for (const move of this.moving) move(angle);
+    for (const one of this.scales) one.show(angle, this.cycle, this.pin, this.labels);
   }
+}
+
+/** An arrow of a round size: its words, where they stand, and how both are drawn. */
+interface ScaleArrow {
+  readonly words: readonly [string, Place];
+  readonly sketches: readonly Sketch[];
+}
+
+/** Vectors of one scale; elements of those of the same name stay. */
+class OneScale {
+  words: readonly [string, Place] = ["", { x: NaN, y: NaN, anchor: "end", isCentral: false }];
+  private readonly sketched: Sketched;
+  private readonly scale = svg("g");
+  private readonly drawn = svg("g");
+  readonly element = svg("g", {}, this.scale, this.drawn);
+  private perUnit = NaN;
+  private vectors: readonly DrawnVector[] = [];
+
+  constructor() {
+    this.sketched = new Sketched(this.scale, []);
+  }
+
+  take(vectors: readonly PinVector[], perUnit: number, { words, sketches }: ScaleArrow): void {
+    this.words = words;
+    this.perUnit = perUnit;
+    this.sketched.take(sketches);
+    const before = this.vectors;
+    this.vectors = vectors.map((one, place) => {
+      const known = before[place];
+      if (known?.isOf(one)) {
+        known.take(one);
+        return known;
+      }
+      const made = new DrawnVector(one);
+      if (known) known.element.replaceWith(made.element);
+      else this.drawn.append(made.element);
+      return made;
+    });
+    for (const { element } of before.slice(vectors.length)) element.remove();
+  }
+
+  show(angle: number, cycle: number, pin: PinOf, labels: Labels): void {
+    for (const one of this.vectors) one.show(angle, this.perUnit, cycle, pin, labels);
+  }
+}
+
+/** A vector with its name. */
+class DrawnVector {
+  readonly element: SVGGElement;
+  private readonly arrow = svg("path");
+  private readonly label: SVGTextElement;
+  private readonly name: string;
+  private one: PinVector;
+  private x: Float32Array;
+  private y: Float32Array;
+
+  constructor(one: PinVector) {
+    this.label = svg("text", {}, ...spans(formula(one.symbol)));
+    this.name = this.label.textContent ?? "";
+    this.element = svg("g", { class: `vector ink-${inkOf(one.letter)}` }, svg("title", {}, `${one.mechanism} ${one.pin}`), this.arrow, this.label);
+    this.one = one;
+    [this.x, this.y] = [row(one.value, 0), row(one.value, 1)];
+  }
+
+  /** Whether it is of the same pin, by the same name. */
+  isOf({ mechanism, pin, letter, symbol }: PinVector): boolean {
+    return this.one.mechanism === mechanism && this.one.pin === pin && this.one.letter === letter && this.one.symbol === symbol;
+  }
+
+  take(one: PinVector): void {
+    this.one = one;
+    [this.x, this.y] = [row(one.value, 0), row(one.value, 1)];
+  }
+
+  show(angle: number, perUnit: number, cycle: number, pin: PinOf, labels: Labels): void {
+    const start = pin(this.one, angle);
+    const by = { x: perUnit * between(this.x, cycle, angle), y: -perUnit * between(this.y, cycle, angle) };
+    const length = Math.hypot(by.x, by.y);
+    const isThere = Number.isFinite(start.x) && length > LEAST;
+    this.element.toggleAttribute("hidden", !isThere);
+    if (!isThere) return;
+    const end = { x: start.x + by.x, y: start.y + by.y };
+    const direction = Math.atan2(by.y, by.x);
+    this.arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, direction)}`);
+    this.label.toggleAttribute("hidden", length < LEAST_NAMED);
+    if (length < LEAST_NAMED) return;
+    const place = labels.put(this.name, placesBeyond(end, direction, labels.pixel));
+    this.label.setAttribute("x", (place?.x ?? end.x).toFixed(2));
+    this.label.setAttribute("y", (place?.y ?? end.y).toFixed(2));
+  }
+}
+
+/** Where the name of a vector may stand, in turn. */
+function* placesBeyond(end: Point, direction: number, pixel: number): Generator<Place> {
+  const at = (far: number, turn: number): Place => ({ x: end.x + far * Math.cos(direction + turn), y: end.y + far * Math.sin(direction + turn), anchor: "middle", isCentral: true });
+  yield at(BEYOND, 0);
+  for (const far of FARTHER) for (const turn of ASIDE) yield at(far * pixel, turn);
 }
 
 /** Length for one of a unit, so that the largest is long, and all stay in the picture if that is not much to ask. */
@@ -79,47 +187,22 @@ function scaleOf(all: readonly PinVector[], largest: number, pin: PinOf, cycle: 
   return Math.max(scale, (SHORTEST * LONG) / largest);
 }
 
-/** Draw a vector; give what moves it. */
-function vector(one: PinVector, perUnit: number, cycle: number, pin: PinOf, into: SVGElement[], labels: Labels): (angle: number) => void {
-  const arrow = svg("path", {});
-  const label = svg("text", {}, ...spans(formula(one.symbol)));
-  const group = svg("g", { class: `vector ink-${inkOf(one.letter)}` }, svg("title", {}, `${one.mechanism} ${one.pin}`), arrow, label);
-  into.push(group);
-  const [x, y] = [row(one.value, 0), row(one.value, 1)];
-  return (angle) => {
-    const start = pin(one, angle);
-    const by = { x: perUnit * between(x, cycle, angle), y: -perUnit * between(y, cycle, angle) };
-    const length = Math.hypot(by.x, by.y);
-    const isThere = Number.isFinite(start.x) && length > LEAST;
-    group.toggleAttribute("hidden", !isThere);
-    if (!isThere) return;
-    const end = { x: start.x + by.x, y: start.y + by.y };
-    arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, Math.atan2(by.y, by.x))}`);
-    label.toggleAttribute("hidden", length < LEAST_NAMED);
-    if (length < LEAST_NAMED) return;
-    const direction = Math.atan2(by.y, by.x);
-    const at = (far: number, turn: number): Place => ({ x: end.x + far * Math.cos(direction + turn), y: end.y + far * Math.sin(direction + turn), anchor: "middle", isCentral: true });
-    const others = FARTHER.flatMap((far) => ASIDE.map((turn) => at(far * labels.pixel(), turn)));
-    const place = labels.put(label.textContent ?? "", [at(BEYOND, 0), ...others]);
-    label.setAttribute("x", (place?.x ?? end.x).toFixed(2));
-    label.setAttribute("y", (place?.y ?? end.y).toFixed(2));
-  };
-}
-
 /** An arrow of a round size, in the lower right corner, where there is room beside the scale of lengths. */
-function scaleArrow(of: VectorsToScale, perUnit: number, edges: Edges, place: number): readonly [string, Place, ...SVGElement[]] {
+function scaleArrow(of: VectorsToScale, perUnit: number, edges: Edges, place: number): ScaleArrow {
   const largest = of.largest ?? NaN;
   const size = ticks(0, largest, 3)[1] ?? largest;
   const row = place + (edges.right - edges.left < NARROW ? 1 : 0);
   const [end, y] = [edges.right - 10, edges.bottom - 9 - SCALE_ROW * row];
   const start = end - size * perUnit;
   const words = `${size} ${of.unit}`;
-  return [
-    words,
-    { x: start - 6, y: y + 4, anchor: "end", isCentral: false },
-    svg("path", { class: `vector ink-${inkOf(of.vectors[0]?.letter ?? "")}`, d: `M${start} ${y}H${end}${barbs({ x: end, y }, 0)}` }),
-    svg("text", { class: "scale beside", x: start - 6, y: y + 4 }, words),
-  ];
+  const [x, baseline] = [start - 6, y + 4];
+  return {
+    words: [words, { x, y: baseline, anchor: "end", isCentral: false }],
+    sketches: [
+      ["path", { class: `vector ink-${inkOf(of.vectors[0]?.letter ?? "")}`, d: `M${start} ${y}H${end}${barbs({ x: end, y }, 0)}` }],
+      ["text", { class: "scale beside", x, y: baseline }, words],
+    ],
+  };
 }
 
 /** Buttons that choose what is shown on the drawing: what the open tab has, unless somebody wants something else. */
