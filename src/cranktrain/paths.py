@@ -4,6 +4,7 @@ import json
 import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, TypeAlias, TypeGuard, cast
 
 from cranktrain.errors import InputError, Problem, refuse
@@ -22,6 +23,9 @@ _PATH_PART = re.compile(
     re.VERBOSE,
 )
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+
+_MOST_PATHS = 4096
+"""That are kept as they are written: of a machine whose numbers are set anew all stay."""
 
 
 def quantity_path(path: str) -> PathParts:
@@ -91,6 +95,12 @@ def path_text(parts: Iterable[str | int]) -> str:
     >>> path_text(("mechanism", "part", 1, "rod 2", "length"))
     'mechanism.part[1]."rod 2".length'
     """
+    return _path_text(tuple(parts))
+
+
+@lru_cache(_MOST_PATHS)
+def _path_text(parts: PathParts) -> str:
+    """Write it."""
     return "".join(
         f"[{part}]" if isinstance(part, int) else f".{part if _BARE_KEY.fullmatch(part) else quoted(part)}"
         for part in parts

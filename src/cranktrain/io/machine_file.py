@@ -306,21 +306,19 @@ def _deeper(table: Mapping[str, Any], path: PathParts, above: PathParts = ()) ->
     return None
 
 
-def _inputs(data: object, declared: object) -> Iterator[tuple[PathParts, Given]]:
-    """Walk the file's data and what the specs made of it side by side."""
+def _inputs(data: object, declared: object, above: PathParts = ()) -> Iterator[tuple[PathParts, Given]]:
+    """Walk the file's data and what the specs made of it side by side, from a path on."""
     several = _items(declared)
     if isinstance(declared, Given):
-        yield (), declared
+        yield above, declared
     elif several and isinstance(several[0], Given) and not isinstance(data, list | tuple):
-        yield (), several[0]  # one value where a list may stand
+        yield above, several[0]  # one value where a list may stand
     elif isinstance(data, Mapping):
         for key, inner in cast("Mapping[str, object]", data).items():
-            for path, given in _inputs(inner, _declared_at(declared, key, inner)):
-                yield (key, *path), given
+            yield from _inputs(inner, _declared_at(declared, key, inner), (*above, key))
     elif isinstance(data, list | tuple) and several:
         for place, (inner, made) in enumerate(zip(cast("Sequence[object]", data), several, strict=True)):
-            for path, given in _inputs(inner, made):
-                yield (place, *path), given
+            yield from _inputs(inner, made, (*above, place))
 
 
 def _declared_at(declared: object, key: str, data: object) -> object:

@@ -1,6 +1,6 @@
 """What moves in a drawing: where its pins are and how fast they go, how its links stand and turn; each of them once."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -94,29 +94,60 @@ def members(result: Result, places: Sequence[PlacedMechanism], angles: Array) ->
     -----
     v = r′ω, a = r″ω² + r′ε; of a link along d: θ′ = d × d′ / d², θ″ = (d × d″ − 2 θ′ d · d′) / d². docs/theory/plans.
     """
-    machine, centres = result.machines[0], shaft_places(result.machines[0]).centres
-    phi = np.ravel(np.deg2rad(angles) + machine.zero)
-    drive = turning(machine, result.get(SpeedCurve), phi)
     pins: list[MovingPin] = []
     links: dict[tuple[object, ...], MovingLink] = {}
-    for place in places:
-        if place.shaft in centres:
-            drawing = standing(placed(machine, place, phi), centres[place.shaft])
-            joints = [name for name in drawing.pins if name not in drawing.ends]
-            numbers = {name: _number(drawing, place.name, name, pins, drive) for name in joints}
-            for link in drawing.links:
-                start, end = link.pins[:2]
-                one = tuple(numbers.get(pin, (place.name, pin)) for pin in (start, end))
-                if one not in links:
-                    direction = _direction(drawing.pins[start], drawing.pins[end])
-                    turned = direction.value, *rates(direction, drive)
-                    links[one] = MovingLink(place.name, link.name, (start, end), *turned)
+    drive = _drive(result, angles)
+    for place, drawing in _standing(result, places, angles):
+        numbers = _numbers(drawing, place.name, pins, drive)
+        for link in drawing.links:
+            start, end = link.pins[:2]
+            one = tuple(numbers.get(pin, (place.name, pin)) for pin in (start, end))
+            if one not in links:
+                direction = _direction(drawing.pins[start], drawing.pins[end])
+                turned = direction.value, *rates(direction, drive)
+                links[one] = MovingLink(place.name, link.name, (start, end), *turned)
     return MovingMembers(tuple(pins), tuple(links.values()))
 
 
-def _number(drawing: Drawing, mechanism: str, name: str, known: list[MovingPin], drive: Drive) -> int:
+def moving_pins(result: Result, places: Sequence[PlacedMechanism], angles: Array) -> tuple[MovingPin, ...]:
+    """Give the pins alone; as `members`."""
+    pins: list[MovingPin] = []
+    drive = _drive(result, angles)
+    for place, drawing in _standing(result, places, angles):
+        _numbers(drawing, place.name, pins, drive)
+    return tuple(pins)
+
+
+def _turned(result: Result, angles: Array) -> Array:
+    """φ of the machine at crank angles as it shows them. [rad]"""
+    return np.ravel(np.deg2rad(angles) + result.machines[0].zero)
+
+
+def _drive(result: Result, angles: Array) -> Drive:
+    """Give how its crank turns there."""
+    return turning(result.machines[0], result.get(SpeedCurve), _turned(result, angles))
+
+
+def _standing(
+    result: Result, places: Sequence[PlacedMechanism], angles: Array
+) -> Iterator[tuple[PlacedMechanism, Drawing]]:
+    """Give those of the mechanisms on shafts whose places are known, as they stand."""
+    machine, phi = result.machines[0], _turned(result, angles)
+    centres = shaft_places(machine).centres
+    for place in places:
+        if place.shaft in centres:
+            yield place, standing(placed(machine, place, phi), centres[place.shaft])
+
+
+def _numbers(drawing: Drawing, mechanism: str, known: list[MovingPin], drive: Drive) -> dict[str, int]:
+    """Numbers of pins of a mechanism among those known, by name; none of what only shows how far it reaches."""
+    positions = drawing.positions
+    joints = [name for name in drawing.pins if name not in drawing.ends]
+    return {name: _number(drawing, mechanism, name, positions[name], known, drive) for name in joints}
+
+
+def _number(drawing: Drawing, mechanism: str, name: str, at: Array, known: list[MovingPin], drive: Drive) -> int:
     """Number of a pin among those that are known, to which it comes where it is another than they."""
-    at = drawing.positions[name]
     for number, one in enumerate(known):
         if np.array_equal(np.isnan(at), np.isnan(one.place)) and are_one(at, one.place):
             if one.mechanism == mechanism:

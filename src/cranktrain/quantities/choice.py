@@ -33,8 +33,8 @@ _NOT_BY_FILE = {Dimension.RATIO, Dimension.ANGLE, Dimension.TIME}
 """What no habit of a file changes: angles stay in degrees beside throws in turns, times in s beside delays in ms."""
 _USUAL = {"mm", "cm²", "rpm", "m/s", "m/s²", "rad/s²", "bar", "kg", "kg·m²", "N·m/rad", "K"}
 """Units that are shown anyhow."""
-_MOST_TEXTS = 4096
-"""Of numbers that are shown again and again."""
+_MOST_TEXTS, _MOST_FILES = 4096, 64
+"""Of numbers that are shown again and again; and of files, which stand in the same units while a number changes."""
 _COUNTED_FROM = {"ati": "at", "psig": "psi", "barg": "bar"}
 """Gauge units, and those of pressures that count from nothing."""
 
@@ -212,7 +212,12 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
     >>> list(own_units(["4 in", "7 1/2 in", "20 mm", "60 psig", "2 bar", "0.9 bar", "25 kN"]).values())
     ['in']
     """
-    units = filter(None, map(_unit_written, texts))
+    return _own_of(tuple(filter(None, map(_unit_written, texts))))
+
+
+@lru_cache(_MOST_FILES)
+def _own_of(units: tuple[str, ...]) -> UnitChoice:
+    """The same of the units of all that is written."""
     written = grouped(one for unit in units for one in _measured_in(unit).items())
     found = {dimension: _most_frequent(names) for dimension, names in written.items() if dimension not in _NOT_BY_FILE}
     return {

@@ -15,6 +15,9 @@ from cranktrain.web.asked import HowFar
 LENGTH = struct.Struct("<I")
 """Before each question and reply."""
 
+_MOST_YOUNG = 20_000
+"""Objects that come without others going, after which garbage is looked for: an answer leaves none, a sweep little."""
+
 
 def framed(value: object) -> bytes:
     """Give a value as it goes through a pipe."""
@@ -43,6 +46,7 @@ def work() -> None:
     send(HowFar())  # it has imported all but what the first machine needs beside
     answer()
     gc.freeze()  # what stays as long as the process is looked through for garbage no more: some 60 ms, each 25th answer
+    gc.set_threshold(_MOST_YOUNG)
     while True:
         answer()
 

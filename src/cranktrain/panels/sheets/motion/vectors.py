@@ -6,7 +6,7 @@ from cranktrain.analysis import Result
 from cranktrain.language import _
 from cranktrain.layout.places import PlacedMechanism
 from cranktrain.motion import Array
-from cranktrain.panels.members import has_speed, members
+from cranktrain.panels.members import has_speed, moving_pins
 from cranktrain.panels.vectors import PinVector, VectorsToScale, to_one_scale
 from cranktrain.plans.vectors import spoken_name
 
@@ -29,7 +29,7 @@ def velocities(result: Result, places: Sequence[PlacedMechanism], angles: Array)
         v = r′ω. [m/s]
     """
     if has_speed(result):
-        pins = (one for one in members(result, places, angles).pins if not one.is_fixed)
+        pins = (one for one in moving_pins(result, places, angles) if not one.is_fixed)
         vectors = (
             PinVector(one.mechanism, one.names[0], "v", f"v_{{{_index(one.names[0])}}}", one.velocity) for one in pins
         )
