@@ -16,7 +16,14 @@ class Server(uvicorn.Server):
 
     def __init__(self, app: FastAPI, replying: Replying) -> None:
         super().__init__(
-            uvicorn.Config(app, log_level="error", access_log=False, timeout_graceful_shutdown=_LAST, ws="none")
+            uvicorn.Config(
+                app,
+                loop="asyncio",  # others that may be installed, as uvloop, start no processes apart
+                ws="none",
+                log_level="error",
+                access_log=False,
+                timeout_graceful_shutdown=_LAST,
+            )
         )
         self._replying = replying
 
