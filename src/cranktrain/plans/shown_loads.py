@@ -40,7 +40,7 @@ class ShownLoads:
 
     def at(self, angles: Array) -> tuple[ActingLoad, ...]:
         """Loads at crank angles as the machine shows them [deg]; their places count from the origin."""
-        return tuple(self._at(angles))
+        return self._over_cycle[0] if np.array_equal(angles, self._angles) else tuple(self._at(angles))
 
     def _at(self, angles: Array) -> Iterator[ActingLoad]:
         """Loads of each mechanism in turn, where its shaft stands."""
@@ -53,30 +53,38 @@ class ShownLoads:
 
     def on_shafts_at(self, angles: Array) -> tuple[ActingLoad, ...]:
         """Torques on the shafts of the mechanisms at crank angles as the machine shows them [deg], about the shafts."""
+        return self._over_cycle[1] if np.array_equal(angles, self._angles) else tuple(self._on_shafts_at(angles))
+
+    def _on_shafts_at(self, angles: Array) -> Iterator[ActingLoad]:
+        """Torque on each shaft in turn."""
         phi = np.deg2rad(angles) + self.machine.zero
         centres = shaft_places(self.machine).centres
-        return tuple(
-            load.moved((centres.get(load.link, np.zeros(2)) - self.origin).reshape(2, 1))
-            for load in loads_on_shafts(self.machine, self.loaded, self.places, phi)
-        )
+        for load in loads_on_shafts(self.machine, self.loaded, self.places, phi):
+            yield load.moved((centres.get(load.link, np.zeros(2)) - self.origin).reshape(2, 1))
 
     @cached_property
-    def _over_cycle(self) -> tuple[ActingLoad, ...]:
-        angles = np.arange(0.0, shown(self.machine.cycle, "deg"), _STEP)
-        return (*self.at(angles), *self.on_shafts_at(angles))
+    def _angles(self) -> Array:
+        """Over the cycle with both ends, at which a page draws them, too. [deg]"""
+        return np.arange(0.0, shown(self.machine.cycle, "deg") + _STEP / 2, _STEP)
+
+    @cached_property
+    def _over_cycle(self) -> tuple[tuple[ActingLoad, ...], tuple[ActingLoad, ...]]:
+        """Loads there, and torques on the shafts."""
+        return tuple(self._at(self._angles)), tuple(self._on_shafts_at(self._angles))
 
     @cached_property
     def outline(self) -> Array:
         """Where forces act over the cycle, shape (2, n); empty where there is none. [m]"""
-        places = [load.place for load in self._over_cycle if not load.is_torque]
+        places = [load.place[:, :-1] for each in self._over_cycle for load in each if not load.is_torque]
         return np.concatenate(places, axis=1) if places else np.empty((2, 0))
 
     @cached_property
     def largest(self) -> dict[bool, float]:
         """Largest size over the cycle, of torques and of forces: by whether it is a torque. [N·m or N]"""
         found = {True: 0.0, False: 0.0}
-        for load in self._over_cycle:
-            found[load.is_torque] = max(found[load.is_torque], float(np.nanmax(np.abs(load.size), initial=0.0)))
+        for load in (one for each in self._over_cycle for one in each):
+            largest = float(np.nanmax(np.abs(load.size[:-1]), initial=0.0))  # the last angle is the first again
+            found[load.is_torque] = max(found[load.is_torque], largest)
         return found
 
 
