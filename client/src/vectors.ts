@@ -150,12 +150,16 @@ class DrawnVector {
     const length = Math.hypot(by.x, by.y);
     const isThere = Number.isFinite(start.x) && length > LEAST;
     this.element.toggleAttribute("hidden", !isThere);
+    const isNamed = isThere && length >= LEAST_NAMED;
+    this.label.toggleAttribute("hidden", isThere && !isNamed);
+    // What is not seen says nothing of where it was.
+    if (!isThere) this.arrow.removeAttribute("d");
+    if (!isNamed) for (const name of ["x", "y"]) this.label.removeAttribute(name);
     if (!isThere) return;
     const end = { x: start.x + by.x, y: start.y + by.y };
     const direction = Math.atan2(by.y, by.x);
     this.arrow.setAttribute("d", `M${xy(start)}L${xy(end)}${barbs(end, direction)}`);
-    this.label.toggleAttribute("hidden", length < LEAST_NAMED);
-    if (length < LEAST_NAMED) return;
+    if (!isNamed) return;
     const place = labels.put(this.name, placesBeyond(end, direction, labels.pixel));
     this.label.setAttribute("x", (place?.x ?? end.x).toFixed(2));
     this.label.setAttribute("y", (place?.y ?? end.y).toFixed(2));

@@ -168,7 +168,7 @@ def test_velocities_are_to_their_scale(opened):
     assert on_the_drawing(page) == ["Velocities"]
     scale = page.locator(".mechanism text.beside")
     assert scale.text_content() == "10 m/s"
-    ends = re.match(r"M(\S+) \S+H([\d.-]+)", page.locator(".mechanism > g > path.vector").get_attribute("d"))
+    ends = re.match(r"M(\S+) \S+H([\d.-]+)", page.locator(".mechanism path.vector").get_attribute("d"))
     long = (float(ends[2]) - float(ends[1])) / 10.0
     length, direction = arrow(page, "1L A", "v")
     assert length / long == pytest.approx(0.09 * 1500 * np.pi / 30, rel=2e-3)

@@ -212,7 +212,7 @@ def own_units(texts: Iterable[str]) -> UnitChoice:
     >>> list(own_units(["4 in", "7 1/2 in", "20 mm", "60 psig", "2 bar", "0.9 bar", "25 kN"]).values())
     ['in']
     """
-    return _own_of(tuple(filter(None, map(_unit_written, texts))))
+    return _own_of(tuple(unit for text in texts if (unit := _unit_written(text))))
 
 
 @lru_cache(_MOST_FILES)
