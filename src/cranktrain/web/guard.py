@@ -57,7 +57,10 @@ class Door(NamedTuple):
     @property
     def is_open(self) -> bool:
         """Whether other computers reach it."""
-        return not is_this_computer(self.host)
+        try:
+            return not ip_address(self.host).is_loopback
+        except ValueError:
+            return self.host not in _OWN_COMPUTER
 
     def has_name(self, name: str) -> bool:
         """Whether it is meant by the name of a host; of all addresses each number is, and no name but its own."""
@@ -68,14 +71,6 @@ class Door(NamedTuple):
         except ValueError:
             return False
         return self.host in _ANY_ADDRESS
-
-
-def is_this_computer(host: str) -> bool:
-    """Whether a name or an address is that by which a computer knows itself."""
-    try:
-        return ip_address(host).is_loopback
-    except ValueError:
-        return host in _OWN_COMPUTER
 
 
 def response_of(reply: Reply) -> Response:

@@ -18,7 +18,7 @@ from cranktrain.io.examples import example_names
 from cranktrain.language import Words, _, in_language, languages, spoken_language
 from cranktrain.version import VERSION
 from cranktrain.web.asked import HowFar, PageQuestion, Part, Reply, SweepQuestion
-from cranktrain.web.guard import Door, Guard, is_this_computer, response_of
+from cranktrain.web.guard import Door, Guard, response_of
 from cranktrain.web.refusals import ProblemSaid, refusal_of, refused, too_much_to_do
 from cranktrain.web.requests import (
     CaseAsked,
@@ -39,19 +39,6 @@ from cranktrain.web.workers import InThisProcess, Replying
 
 _LEAST_COMPRESSED, _QUICKLY = 1000, 1
 """Bytes of an answer from which on it is compressed, and how hard: harder takes more time and hardly less room."""
-
-
-class _Compressed(GZipMiddleware):
-    """Compresses what goes to other computers: for this one it takes longer than what it saves."""
-
-    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
-        """Answer as the application does, or compressed."""
-        name, _port = scope.get("client") or ("", 0)
-        if is_this_computer(name):
-            await self.app(scope, receive, send)
-        else:
-            await super().__call__(scope, receive, send)
-
 
 _SETTING = re.compile(r"([\w.\[\]-]{1,100})=")
 """A number that is set, after its path."""
@@ -107,7 +94,7 @@ def service(file: str | None = None, *, replying: Replying | None = None, door: 
     """
     crew, sweeps = InThisProcess() if replying is None else replying, Sweeps()
     app = FastAPI(title="cranktrain", version=VERSION, docs_url=None, redoc_url=None, lifespan=_running(crew, sweeps))
-    app.add_middleware(_Compressed, minimum_size=_LEAST_COMPRESSED, compresslevel=_QUICKLY)
+    app.add_middleware(GZipMiddleware, minimum_size=_LEAST_COMPRESSED, compresslevel=_QUICKLY)
     app.add_middleware(Guard, door=Door() if door is None else door)
     app.exception_handler(RequestValidationError)(_malformed)
     for status in (400, 404, 405):

@@ -66,14 +66,6 @@ def test_what_a_browser_opens_comes_compressed(client, machine, tab):
     assert plain.content == answer.content
 
 
-def test_to_a_browser_on_the_same_computer_nothing_is_compressed():
-    for address in ("127.0.0.1", "::1"):
-        with TestClient(service(), base_url="http://127.0.0.1:8765", client=(address, 50000)) as client:
-            answer = client.post("/api/case", json=asked("3d12"))
-        assert "Content-Encoding" not in answer.headers
-        assert opened(answer)[0]["machine"]["name"]
-
-
 def test_a_served_file_that_was_written_anew_is_read_anew(tmp_path):
     path = tmp_path / "mine.toml"
     text = '[mechanism]\nkind = "slider_crank"\ncrank_radius = "50 mm"\nrod_length = "{} mm"\n'
