@@ -121,7 +121,8 @@ def teach_choices() -> None:
     def compiled_choice(*_given: object) -> object:
         return _chosen_number
 
-    overload(chosen, strict=False, jit_options=options_of(within=True))(compiled_choice)
+    within: Any = options_of(within=True)
+    overload(chosen, strict=False, jit_options=within)(compiled_choice)
 
 
 def _chosen_number(condition: bool, one: float, other: float) -> float:

@@ -12,7 +12,7 @@ from collections import defaultdict
 from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager, contextmanager
 from types import CodeType
-from typing import Any
+from typing import Any, cast
 
 _LOOKS_FOR_ARRAYS = "NopythonRewrites"
 _LOOKS_WITHIN = "InlineClosureLikes"
@@ -41,13 +41,14 @@ def shorter(compiler_class: Any) -> Any:
     compiler_class : type
         `numba.core.compiler.Compiler`.
     """
-    from numba import version_info
+    import numba
     from numba.core import compiler_machinery, lowering, typed_passes, types
 
+    version: Any = numba.version_info
     lower_class: Any = getattr(lowering, "Lower", None)
     step_class: Any = getattr(typed_passes, "NativeLowering", None)
-    is_there = (
-        _TRIED[0] <= version_info.short <= _TRIED[1]
+    is_there: bool = (
+        _TRIED[0] <= version.short <= _TRIED[1]
         and step_class is not None
         and all(hasattr(lower_class, name) for name in _OF_LOWERING)
         and all(hasattr(compiler_class, name) for name in ("compile_extra", "define_pipelines"))
@@ -56,7 +57,7 @@ def shorter(compiler_class: Any) -> Any:
     )
     if not is_there:
         return compiler_class
-    manager_class = _plain_manager(compiler_machinery.PassManager)
+    manager_class = _step_by_step(compiler_machinery.PassManager)
     own_step = _lowering(step_class, _lower(lower_class))
     remembered = _remembering()
 
@@ -98,6 +99,7 @@ def _remembering() -> Callable[[], AbstractContextManager[None]]:
     from numba.core import types
     from numba.core.targetconfig import ConfigStack
 
+    stack = cast(Any, ConfigStack)
     of_functions: Any = types.BaseFunction
     plain = of_functions.get_call_type
     known: dict[str, dict[Any, Any]] = defaultdict(dict)
@@ -109,7 +111,7 @@ def _remembering() -> Callable[[], AbstractContextManager[None]]:
         return under[id(options)][1]
 
     def get_call_type(function: Any, context: Any, args: Any, kws: Any) -> Any:
-        options = ConfigStack.top_or_none()
+        options = stack.top_or_none()
         if kws or options is None:
             return plain(function, context, args, kws)
         before, key = known_under(options), (context, function, tuple(args))
@@ -134,11 +136,11 @@ def _remembering() -> Callable[[], AbstractContextManager[None]]:
     return remembered
 
 
-def _plain_manager(manager_class: Any) -> Any:
+def _step_by_step(manager_class: Any) -> Any:
     """Give what goes step by step, and tells nobody."""
     from numba.core.compiler_lock import global_compiler_lock
 
-    class Manager(manager_class):
+    class StepByStep(manager_class):
         """Numba's own, which times each step, and puts into words what it is about to do to whom."""
 
         @global_compiler_lock
@@ -148,14 +150,14 @@ def _plain_manager(manager_class: Any) -> Any:
             for step in (pss.run_initialization, pss.run_pass, pss.run_finalizer):
                 step(internal_state)
 
-    return Manager
+    return StepByStep
 
 
 def _lowering(step_class: Any, lower_class: Any) -> Any:
     """Step that makes LLVM's words of a function by a class of one's own."""
-    from numba.core.compiler_machinery import register_pass
+    from numba.core import compiler_machinery
 
-    @register_pass(mutates_CFG=True, analysis_only=False)
+    @cast(Any, compiler_machinery).register_pass(mutates_CFG=True, analysis_only=False)
     class Lowering(step_class):
         """Numba's own, by another class."""
 
@@ -172,6 +174,8 @@ def _lower(lower_class: Any) -> Any:
     """Class that makes LLVM's words, in which what is given a value once has no place in memory."""
     from numba.core import analysis, ir
 
+    looking = cast(Any, analysis)
+
     class Lower(lower_class):
         """Numba's own, which does so only within a block."""
 
@@ -180,9 +184,9 @@ def _lower(lower_class: Any) -> Any:
             lower_class._find_singly_assigned_variable(self)
             if self.flags.nrt:
                 return
-            blocks = self.func_ir.blocks
-            reads = analysis.compute_use_defs(blocks).usemap
-            before = analysis.compute_cfg_from_blocks(blocks).dominators()
+            blocks: dict[int, Any] = self.func_ir.blocks
+            reads: dict[int, set[str]] = looking.compute_use_defs(blocks).usemap
+            before: dict[int, set[int]] = looking.compute_cfg_from_blocks(blocks).dominators()
             given: dict[str, list[int]] = defaultdict(list)
             for place, block in blocks.items():
                 for each in block.find_insts(ir.Assign):
@@ -195,11 +199,13 @@ def _lower(lower_class: Any) -> Any:
                 for name in once.keys() & names
                 if once[name] >= place or once[name] not in before[place]
             }
-            self._singly_assigned_vars |= once.keys() - too_early
+            known: set[str] = self._singly_assigned_vars
+            known |= once.keys() - too_early
 
         def storevar(self, value: Any, name: str, argidx: int | None = None) -> None:
             """Give a variable a value, and do not look at the one before, of which no holders are counted."""
-            if self.flags.nrt or argidx is not None or name in self._singly_assigned_vars:
+            known: set[str] = self._singly_assigned_vars
+            if self.flags.nrt or argidx is not None or name in known:
                 lower_class.storevar(self, value, name, argidx)
                 return
             self._alloca_var(name, self.typeof(name))

@@ -100,10 +100,11 @@ def plain_numpy() -> ModuleType:
     def compiled_sum(angle: object, _by: object) -> object:
         return _turned if of_direction(angle) else None
 
-    overload(cosine, strict=False, jit_options=options_of(within=True))(compiled_cosine)
-    overload(sine, strict=False, jit_options=options_of(within=True))(compiled_sine)
-    overload(not_asked, strict=False, jit_options=options_of(within=True))(compiled_nothing)
-    overload(operator.add, strict=False, jit_options=options_of(within=True))(compiled_sum)
+    within: Any = options_of(within=True)
+    overload(cosine, strict=False, jit_options=within)(compiled_cosine)
+    overload(sine, strict=False, jit_options=within)(compiled_sine)
+    overload(not_asked, strict=False, jit_options=within)(compiled_nothing)
+    overload(operator.add, strict=False, jit_options=within)(compiled_sum)
     module = ModuleType("plain_numpy")
     vars(module).update({name: thing for name, thing in vars(np).items() if isinstance(thing, np.ufunc | float)})
     vars(module).update(cos=cosine, sin=sine, arctan2=not_asked, power=compiled_kernel(power, faster=_AS_WRITTEN))
