@@ -117,7 +117,8 @@ function clearest(point: Point, along: Point, { letters, points, lines }: Surrou
         ...points.map((other) => FROM_POINT - Math.hypot(other.x - one.x, other.y - one.y)),
         ...lines.map((line) => FROM_LINE - Math.min(...line.slice(1).map((to, k) => apart(one, line[k] as Point, to)))),
       ];
-      const cost = lacking.reduce((sum, lack) => sum + Math.max(lack, 0), 0) + out / 10 + 1 - Math.cos(turn);
+      // What is nowhere takes no room.
+      const cost = lacking.reduce((sum, lack) => sum + (lack > 0 ? lack : 0), 0) + out / 10 + 1 - Math.cos(turn);
       if (cost < least) [found, least] = [one, cost];
     }
   }
