@@ -58,7 +58,8 @@ class Varied:
     def spoken(self) -> str:
         """Its name, of which its words are made: the item of a list with its place as the path has it, `throws[1]`."""
         place = next(iter(parts_of(self.path)[-1:]), "")
-        return f"{self.name.removesuffix(f'_{place}')}[{place}]" if isinstance(place, int) else self.name
+        # The name of an item ends in its place, behind an underline.
+        return f"{self.name[: -1 - len(str(place))]}[{place}]" if isinstance(place, int) else self.name
 
     @cached_property
     def are_numbers(self) -> NDArray[np.bool_]:
