@@ -155,10 +155,15 @@ def test_names_of_dimensions():
 def test_an_item_of_a_list_is_called_by_its_list():
     """`throws[1]` stands at the head of its column and along its axis, where `1` stood."""
     machine = ct.load("vaz_21213")
-    vary = {"shaft.main.throws[1]": "144..216 deg:3", "bank.line.mechanism.stroke": "70, 80 mm"}
+    vary = {"throws[1]": "144..216 deg:3", "bank.line.mechanism.stroke": "70, 80 mm"}
     swept = ct.sweep(machine, vary, wanted=["largest_torque"])
+    assert [one.path for one in swept.designs.varied] == ["shaft.main.throws[1]", "bank.line.mechanism.stroke"]
     assert [one.name for one in swept.designs.varied] == ["throws_1", "stroke"]
     assert str(swept.subject).endswith(", over throws[1] × stroke")
+    with pytest.raises(ct.InputError, match=r"^throw\[1\]: is no key of this machine's file; did you mean throws\?"):
+        ct.sweep(machine, {"throw[1]": "144..216 deg:3"})
+    with pytest.raises(ct.InputError, match=r"throws\[9\]: shaft\.main\.throws is a list of 4"):
+        ct.sweep(machine, {"throws[9]": "144..216 deg:3"})
 
 
 def test_all_that_is_wrong_is_told_at_once():

@@ -308,22 +308,23 @@ def whole_word(path: str) -> str:
 
 
 def path_meant(machine: Machine, given: str) -> str:
-    """Path that a name means: itself, or the only one of the file that ends in it.
+    """Path that a name means, or an item of a list of that name: itself, or the only one of the file that ends in it.
 
     Raises
     ------
     InputError
         Where several paths end so, or none does.
     """
-    parts = quantity_path(given)
-    if len(parts) > 1 or given in machine.declared or given in type(machine).model_fields:
+    name, *rest = parts = quantity_path(given)
+    is_whole = any(isinstance(part, str) for part in rest)
+    if is_whole or name in machine.declared or name in type(machine).model_fields:
         return path_text(parts)
-    ends = [path for path in paths_in(machine.declared) if quantity_path(path)[-1:] == parts]
+    ends = [path for path in paths_in(machine.declared) if quantity_path(path)[-1] == name]
     if len(ends) == 1:
-        return ends[0]
+        return f"{ends[0]}{path_text(rest)}"
     if not ends:
         last = {str(quantity_path(path)[-1]) for path in paths_in(machine.declared)}
-        meant = nearest(given, sorted(last))
+        meant = nearest(str(name), sorted(last))
         repair = _("did you mean {name}?", name=meant) if meant else _("write its path, as bank.R.mechanism.rod_length")
         raise InputError([Problem(given, None, _("is no key of this machine's file"), repair)])
     named = ", ".join(ends[:_NAMED]) + (", …" if len(ends) > _NAMED else "")
