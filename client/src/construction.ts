@@ -5,7 +5,7 @@ import type { ConstructedLine, ConstructionDrawing } from "./data.ts";
 import { html, picture, svg } from "./elements.ts";
 import { apart } from "./nearest.ts";
 import { at, between, extent, figures, number, row } from "./numbers.ts";
-import { polyline, xy, type Point } from "./points.ts";
+import { polyline, type Point } from "./points.ts";
 import { said } from "./words.ts";
 
 /** Crank radius in units of the picture, and how far the picture goes, in parts of that. */
@@ -32,7 +32,8 @@ export function constructed(part: ConstructionDrawing): Shown {
   const foot = { x: at(part.foot, 0) * scale, y: -at(part.foot, 1) * scale };
   const along = { x: at(part.along, 0), y: -at(part.along, 1) };
   const end = (by: number): Point => ({ x: foot.x + by * along.x, y: foot.y + by * along.y });
-  clip.append(svg("circle", { class: "circle", r: RADIUS }), svg("path", { class: "axis", d: `M${xy(end(-2 * half))}L${xy(end(2 * half))}` }));
+  const axis = [end(-2 * half), end(2 * half)];
+  clip.append(svg("circle", { class: "circle", r: RADIUS }), svg("path", { class: "axis", d: polyline(axis) }));
   drawn.append(clip);
   const place = (letter: string, angle: number): Point => {
     const points = part.points[letter];
@@ -65,7 +66,7 @@ export function constructed(part: ConstructionDrawing): Shown {
   );
   const show = (angle: number): void => {
     const within = ((angle % TURN) + TURN) % TURN;
-    const drawnLines = [...lines.map((move) => move(within)), [end(-2 * half), end(2 * half)]];
+    const drawnLines = [...lines.map((move) => move(within)), axis];
     const points = letters.map(({ letter }) => place(letter, within));
     const others: Point[] = [];
     letters.forEach(({ dot, text }, which) => {

@@ -12,13 +12,14 @@ export interface Line {
 export function nearest(lines: readonly Line[], x: (value: number) => number, y: (value: number) => number, [left, top]: readonly [number, number], most: number): number {
   let found = -1;
   let least = most;
+  const pointed = { x: left, y: top };
   lines.forEach(({ across, values }, place) => {
-    let [x0, y0] = [NaN, NaN];
+    let before: Point = { x: NaN, y: NaN };
     for (let point = 0; point < values.length; point++) {
-      const [x1, y1] = [x(across[point] ?? NaN), y(values[point] ?? NaN)];
-      const far = apart({ x: left, y: top }, { x: x0, y: y0 }, { x: x1, y: y1 });
+      const here = { x: x(across[point] ?? NaN), y: y(values[point] ?? NaN) };
+      const far = apart(pointed, before, here);
       if (far < least) [found, least] = [place, far];
-      [x0, y0] = [x1, y1];
+      before = here;
     }
   });
   return found;
